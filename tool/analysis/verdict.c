@@ -70,7 +70,7 @@ static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
 }
 
 /* Owners are cut between units: no element may lie across such a cut, or it would have two owners
- * if another array overlaps with it. For such records the unit is a whole record. */
+ * if another array overlaps with it. A record with unaligned scalars is therefore one unit. */
 static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     const ir_type *record = ir_type_innermost(row);
     if (record->kind != IR_RECORD || record->size <= unit ||
@@ -310,8 +310,8 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* Analyses the loop with variables in place of pointers that are read only under conditions, or
- * whose targets must be known when the loop begins. */
+/* If `found` is refused for a pointer that is read only under conditions, or whose target must be
+ * known when the loop begins: analyses the loop with variables in place of its pointers. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     if (found.kind != VERDICT_REFUSE ||

@@ -7,7 +7,7 @@
 
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);
 
-/** The verdict on a loop with only regular updates (conflict.h), one of which is given. */
+/** The verdict on a loop whose updates, such as `update`, are all regular (conflict.h). */
 loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
                              const ir_node *update);
 

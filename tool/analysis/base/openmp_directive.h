@@ -48,14 +48,14 @@ typedef struct openmp_directive {
 
 /** How the clause `schedule` assigns iterations to threads. */
 typedef enum openmp_schedule {
-    OPENMP_NO_SCHEDULE, /* nothing */
+    OPENMP_NO_SCHEDULE, /* no clause */
     OPENMP_STATIC,      /* it fixes the thread; `runtime` and `auto` may do so */
-    OPENMP_BY_TURNS     /* the next thread that is free: dynamic, guided */
+    OPENMP_BY_TURNS     /* dynamic, guided: the next free thread gets a chunk */
 } openmp_schedule;
 
 openmp_schedule openmp_schedule_of(const openmp_directive *d);
 
-/** Is it `#pragma omp ...`, or `_Pragma("omp ...")` in these words? */
+/** Is it spelled `#pragma omp ...` or `_Pragma("omp ...")`? */
 bool directive_is_openmp_pragma(const ir_directive *d);
 
 /** Parses one for which directive_is_openmp_pragma holds. Macros that the file defines as numbers

@@ -21,11 +21,11 @@ typedef struct blocked_scalar {
     const char *operator; /* the clause's operator */
 } blocked_scalar;
 
-/** What is known of the team of `omp for`: reduction/team_loop.h. */
+/** Facts about the team that executes `omp for` (reduction/team_loop.h). */
 typedef struct team_facts {
-    bool shares_frame;   /* its threads share the variables of the function's outermost block */
-    bool may_be_early;   /* threads may reach the loop while others still execute an earlier one */
-    bool names_all;      /* the region uses only variables that its clauses name: `default(none)` */
+    bool shares_frame; /* its threads share the variables of the function's outermost block */
+    bool may_be_early; /* threads may reach the loop while others still execute an earlier one */
+    bool names_all; /* the region has a `default` other than shared: clauses name its variables */
     const char *reduced; /* a variable in the loop that the region reduces: it has a copy for each
                           * thread, with another value than before the region */
 } team_facts;
@@ -48,9 +48,9 @@ typedef struct fixed_blocks {
     const nested_blocks *inner; /* blocks divide this loop, too, if the outer one is short; NULL:
                                  * there is none */
     bool is_balanced;           /* `schedule` suggests that all iterations take the same time */
-    const char *lock; /* "atomic" or "critical", in the loop: what it protects is updated in any
+    const char *lock; /* "atomic" or "critical", in the loop: the updates under it are made in any
                        * order; NULL: none */
-    const char *unordered; /* why that is not updated in the sequential order; NULL: not known */
+    const char *unordered; /* why these are not made in sequential order; NULL: not known */
 } fixed_blocks;
 
 /** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */

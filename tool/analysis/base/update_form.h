@@ -15,7 +15,8 @@ typedef struct update_form {
     const ir_node *value; /* right side, NULL for ++ and -- */
 } update_form;
 
-/** Classifies an IR_ASSIGN or IR_UNARY; a plain store has is_update false. */
+/** Classifies an IR_ASSIGN or IR_UNARY. A plain store has is_update false, and so has v = v + e
+ * with a variable v. */
 update_form update_form_of(const ir_node *node);
 
 #endif

@@ -214,7 +214,7 @@ static bool is_within(const ir_node *lvalue, const ir_node *whole) {
     return true;
 }
 
-/* The read of which this load is all or a part. */
+/* The read that makes this load, perhaps with other bytes; NULL: none. */
 static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -279,8 +279,8 @@ static void add_loads_of(loop_analysis *j, const loop_source *recorded, const lo
     }
 }
 
-/* Adds what a read contributes: to the key or the compared sources, if it determines subscripts; to
- * the guarded sources, if it needs a guard. */
+/* Adds the read: to the key or the compared sources, if it determines subscripts; to the guarded
+ * sources, if it needs a guard. */
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript) {
     source_plan contents = {0};
     bool is_keyed = false;

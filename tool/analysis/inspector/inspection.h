@@ -7,7 +7,7 @@
 
 typedef struct slice_result {
     reason why;
-    private_list privates; /* with those that the inspector uses */
+    private_list privates; /* with is_in_slice */
     own_list own;          /* likewise */
     source_list sources;   /* in the order in which the slice reads them */
     key_list key;

@@ -129,8 +129,8 @@ static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
     return declarator && ir_contains(s->j->loop, declarator);
 }
 
-/* Uses of a variable in memory. Values stored through pointers are followed only into arrays whose
- * pointers the analysis all knows (keep_stores_into). */
+/* Uses of a variable in memory. Values stored through pointers are followed only into arrays that
+ * do not escape (keep_stores_into). */
 typedef enum use_kind { USE_IN_PLACE, USE_BY_CALL, USE_UNKNOWN } use_kind;
 
 static use_kind use_kind_of(const ir_node *node) {
@@ -195,8 +195,8 @@ static bool is_in_update(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* Keeps what may store into the array through pointers. As it does not escape, each such pointer's
- * location is the array, or entirely unknown. */
+/* Keeps statements that may store into the array through pointers. As it does not escape, each such
+ * pointer's location is the array, or entirely unknown. */
 static void keep_stores_into(slicer *s, const ir_variable *array) {
     for (unsigned i = 0; i < s->j->access_count; i++) {
         const loop_access *a = &s->j->accesses[i];
@@ -277,8 +277,8 @@ static bool writes_shared(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* Keeps what the stored value and the condition of the store need. The element itself is not
- * needed. */
+/* Keeps the statements that compute the stored value and the store's condition. The element's
+ * memory is not needed. */
 static void need_forward(slicer *s, const forwarded_store *store) {
     if (s->keep[store->statement->id])
         return;
@@ -328,7 +328,8 @@ static void need_expression(slicer *s, const ir_node *node) {
 }
 
 /* Keeps a simple statement, a declarator, a jump; or a control statement whose header contains the
- * write. `of`: only what the value of this variable needs; NULL: all effects. */
+ * write. `of`: the variable whose value needs the statement (keep_around); NULL: all its effects.
+ */
 static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of) {
     if (!statement || s->obstacle)
         return;
@@ -524,7 +525,7 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
     return is_safe_after(s, body, jump, loop == s->j->loop ? NULL : body);
 }
 
-/* Does it skip code that may end the loop or the program? */
+/* Does the `continue` skip code that may end the loop or the program? */
 static bool skips_exit(const slicer *s, const ir_node *loop, const ir_node *jump) {
     const loop_exits *exits = s->j->left_out.exits;
     for (unsigned i = 0; exits && i < exits->count; i++)

@@ -18,7 +18,7 @@ typedef struct slice_touch {
 
 typedef struct slice {
     bool *keep;            /* [function->node_count] */
-    unsigned needed_count; /* private variables of the iteration that it uses */
+    unsigned needed_count; /* variables of the iteration that it uses */
     const ir_variable **needed;
     uint64_t own; /* bits, by number: own elements whose values it needs */
     bool has_floating_work;

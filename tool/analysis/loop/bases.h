@@ -10,9 +10,8 @@
  * an optional one that may be null. For an element of an array: if that element is read anyway. */
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base);
 
-/** Does `load` read a member of an object of which each iteration reads another member? Then it may
- *  be made even if the program does not make it. Only for objects reached by members and pointers,
- *  without subscripts. */
+/** Does each iteration dereference the pointer through which `load` reads a member? Then the load
+ * may be made even if the program does not make it. False for paths with subscripts. */
 bool base_is_in_object_read(const loop_analysis *j, const ir_node *load);
 
 #endif

@@ -108,7 +108,8 @@ static void visit(dependence *d, const ir_node *node, bool is_dependent) {
     if (target) {
         bool value_depends = is_dependent || address_depends(d, target) ||
                              (node->kind == IR_ASSIGN && depends(d, node->children[1]));
-        /* A store through a pointer does not change the pointer, but the table that it walks in. */
+        /* A store through a pointer does not change the pointer, but the table into which it
+         * points. */
         ir_variable *root = ir_root_variable(target);
         if (value_depends && root && (target->kind == IR_VARIABLE || !is_pointer(root)))
             add(d, root);

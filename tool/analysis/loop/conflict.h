@@ -10,7 +10,7 @@
 #include "analysis/memory/variable_facts.h"
 
 typedef enum conflict_kind {
-    CONFLICT_NONE,    /* each iteration has separate elements; or the element is invariant: a sum */
+    CONFLICT_NONE,    /* each iteration has separate elements, or all have the same few: sums */
     CONFLICT_REGULAR, /* iterations may update one element, in a nest of loops with invariant bounds
                        * and subscripts that are affine in their counters */
     CONFLICT_SHARED   /* a table, a loaded pointer, or a variable range decides it */

@@ -106,7 +106,7 @@ unsigned executed_limits(const loop_analysis *j, const ir_node *node,
         else if (parent->kind == IR_BLOCK)
             add_jumps_above(j, &list, parent, below);
         else if (parent->kind == IR_SWITCH)
-            list.count = 0; /* its labels may follow any condition inside */
+            list.count = 0; /* a jump to a label may skip the conditions inside */
     }
     *limits = list.items;
     return list.count;

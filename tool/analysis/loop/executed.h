@@ -16,7 +16,7 @@ bool executed_certainly_in(const ir_node *outer, const ir_node *node);
 /** Is a piece of the body executed in each iteration, once? */
 bool executed_in_each(const loop_analysis *j, const ir_node *node);
 
-/** Are the extents of two reads of one row computed in the same way? */
+/** Have two reads of one row the same limits and checks, so that their extents are equal? */
 bool source_ends_equal(const loop_source *a, const loop_source *b);
 
 #endif

@@ -32,8 +32,8 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     return to;
 }
 
-/* A macro that makes a pragma in the text before the loop, in the statement that contains it: `if
- * (n > 3) IVDEP for (...)`. */
+/* A macro that may make a pragma in the text before the loop, in the statement that contains it:
+ * `if (n > 3) IVDEP for (...)`. */
 static const char *pragma_macro_before(const loop_analysis *j, uint32_t to) {
     const ir_unit *unit = j->an->unit;
     const ir_range above = {j->loop->parent->range.begin, to};
@@ -202,7 +202,7 @@ static bool is_errno(const ir_node *node) {
            strcmp(node->children[0]->function->name, "__errno_location") == 0;
 }
 
-/* Not only in the loop's function: a caller may read it as well. */
+/* Does any function of the file read errno? A caller of the loop's function may do so. */
 static bool file_reads_errno(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && ir_any(unit->functions[i]->body, is_errno))
@@ -210,7 +210,7 @@ static bool file_reads_errno(const ir_unit *unit) {
     return false;
 }
 
-/* Refuses an update of a shared element whose value is used, however it is used. */
+/* Refuses an update of a shared element, by an operator, if its value is used. */
 static reason check_values(const loop_analysis *j, const access_list *found) {
     for (unsigned i = 0; i < found->items.count; i++) {
         const access *a = &found->items.items[i];
@@ -230,7 +230,7 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* If the original loop runs, it computes the first values again. */
+/* The reason against computing the first values twice: the original loop computes them again. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)

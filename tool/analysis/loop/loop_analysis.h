@@ -20,18 +20,18 @@ typedef struct analyser {
     alias_rules rules;
     unit_text *text;
     const user_pragmas *pragmas;
-    const openmp_loop *openmp; /* of the loop that it is for */
+    const openmp_loop *openmp; /* the analysed loop's directives; NULL: none */
     bool keeps_own;            /* variables may replace own elements (own.h) */
 } analyser;
 
 /** The classification of an access of the loop. */
 typedef enum access_class {
     CLASS_OPEN,      /* not decided */
-    CLASS_SCALAR,    /* of a private variable of the iteration, or an unchanging one */
+    CLASS_SCALAR,    /* of a private, stepped or unchanging variable; a store to an own element */
     CLASS_REDUCTION, /* an update of arrays[number] */
     CLASS_SELF,      /* a read, in an update's statement, of the updated element; all accesses to a
                       * scalar that the loop accumulates into */
-    CLASS_FORWARDED, /* a read of a value that the iteration has stored: it is forwarded */
+    CLASS_FORWARDED, /* a read of a value that the iteration has stored, or of an own element */
     CLASS_SHARED     /* a read of memory that other iterations may read, too */
 } access_class;
 
@@ -74,8 +74,7 @@ typedef struct left_out {
 
 /** Facts about the analysed loop. A check gets it as const, with the results of earlier checks, and
  *  returns its own result. If the result's `why` is not REASON_NONE, the rest of it is invalid.
- * verdict.c combines the results. A check that adds facts in several steps
- *  works on a copy. */
+ *  verdict.c combines the results. A check that adds facts in several steps works on a copy. */
 typedef struct loop_analysis {
     const analyser *an;
     ir_function *function;

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * A variable may replace the element if
- * - its subscript has another value in each iteration, and nothing else on the way to it changes:
- * no two iterations have one element, and its address may be computed at any time;
+ * - its subscript has another value in each iteration, and nothing else in its address changes:
+ *   no two iterations have one element, and its address may be computed at any time;
  * - each iteration reads it, before it stores to it. So reading it at the beginning does nothing
  *   that the program would not do. It also has this type before the loop begins: no store of the
  *   loop lies between, so other iterations cannot read it as another type (C17 6.5p7). Or each
  *   iteration stores to it, before it reads it: then nothing is read at the beginning, and types
  *   distinguish only declared objects (6.5p6);
- * - all else that the loop reads is disjoint from it, by proof or by a comparison before anything
- * is written, and all else that it writes is an update, with which all reads are compared. So no
- * iteration sees that the store is made later;
- * - the text names it by this expression alone, and nowhere asks for its address.
+ * - all other memory that the loop reads is disjoint from it, by proof or by a comparison before
+ *   anything is written, and all else that it writes is an update, with which all reads are
+ *   compared. So no iteration sees that the store is made later;
+ * - the text names it by this expression alone, and nowhere takes its address.
  */
 #include "analysis/loop/own.h"
 
@@ -150,7 +150,7 @@ static bool is_other_part(const loop_analysis *j, const loop_access *other,
            !expression_same(lvalue, element) && expression_same(row_of(lvalue), row_of(element));
 }
 
-/* May the other access touch the element that belongs to another iteration? */
+/* The overlap of the other access with the elements of other iterations. */
 static overlap overlap_between(const loop_analysis *j, const loop_access *other,
                                const ir_node *element, const location *where, first_use first) {
     if (!other->access.lvalue)

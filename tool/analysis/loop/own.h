@@ -23,8 +23,8 @@ bool own_is_element(const loop_analysis *j, const ir_node *lvalue);
  *  accesses. Adds an access for each element: the read at the beginning. */
 void own_take(loop_analysis *j);
 
-/** Once all writes are classified: do only updates write memory that may be an own element? Sets
- *  the reason, and returns false. */
+/** Once all writes are classified: do only updates write memory that may be an own element? If not,
+ *  sets the reason. */
 bool own_check(loop_analysis *j);
 
 /** The number of the own element that this node names; -1: it names none. */

@@ -25,8 +25,9 @@ bool slice_is_safe_anywhere(const ir_node *row);
 /** Are all bounds of the loops constants? */
 bool slice_loops_are_constant(unsigned count, const source_loop *loops);
 
-/** As slice_is_safe_anywhere, but within the loop, where loads are permitted that each iteration
- *  makes in any case. `as_address`: only the address of the lvalue is computed. */
+/** As slice_is_safe_anywhere, but within the loop: permits a load that each iteration also makes,
+ * or whose object it reads, unconditionally. `as_address`: only the lvalue's address is computed.
+ */
 bool slice_is_safe_here(const loop_analysis *j, const ir_node *node, bool as_address);
 
 #endif

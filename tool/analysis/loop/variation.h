@@ -24,7 +24,8 @@ affine_form variation_affine(variable_facts *facts, const ir_node *loop, const i
                              const ir_node *expression);
 
 /** Is this lvalue an array element found through a subscript that is not affine in the counters of
- *  the loop and of inner ones? Looks through local variables assigned once. */
+ *  the loop and of inner ones, or through a counter that begins at an element so found? Looks
+ *  through local variables assigned once. */
 bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
 
 #endif

@@ -30,7 +30,7 @@ static bool has_volatile_part(const ir_type *type) {
     return false;
 }
 
-/* The types along the path show volatile objects, bit-fields and the like. */
+/* Adds a problem if the lvalue is thread-local, volatile, atomic or in another address space. */
 static void check_type(access_walk *w, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const char *name = root ? root->name : "?";
@@ -281,7 +281,7 @@ static bool is_inside(const ir_node *subscript, const ir_type *array) {
            high < array->count;
 }
 
-/* Is it selected by a subscript or a pointer, so that it is not the whole object? */
+/* Is it an element, *p, or a member of these, so that it is not the whole object? */
 static bool is_selected(const ir_node *lvalue) {
     while (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW))
         lvalue = lvalue->children[0];

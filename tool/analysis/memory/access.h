@@ -30,7 +30,7 @@ typedef struct access {
     update_form form;          /* ACCESS_UPDATE in the text itself */
     const ir_node *from; /* of a search (search.h): the first element that it reads; NULL: none */
     const ir_node *to;   /* of a search: the last one, whose subscript is the call's result */
-    const element_bounds *bounds; /* not is_exact: what is accessed is among these; or NULL */
+    const element_bounds *bounds; /* not is_exact: the accessed elements are among these; or NULL */
 } access;
 
 /** A construct that prevents any assumption. */
@@ -62,7 +62,7 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
 /** A function's summary: accesses other than to local variables, in terms of its parameters and
- *  globals. */
+ *  globals. NULL: the function is recursive. */
 const access_list *effects_of(effects *all, const ir_function *function);
 
 /** The part of an lvalue whose address determines the range of all of it: trailing subscripts that

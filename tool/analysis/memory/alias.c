@@ -100,7 +100,7 @@ static bool is_reachable(const alias_rules *rules, const ir_variable *object,
     /* Initialisers at file scope are not in the IR: a static object's address may be anywhere. */
     if (!variable_is_automatic(object))
         return true;
-    /* A pointer of unknown origin may be any whose address was ever taken. */
+    /* A pointer of unknown origin may point to any object whose address was ever taken. */
     if (!other->pointer)
         return variable_is_exposed(rules->facts, object);
     return variable_escapes(rules->facts, object);

@@ -13,11 +13,11 @@ typedef struct rewriting {
     const callee_terms *terms;
     const access *item;
     callee_loops *loops; /* NULL: counters have no meaning */
-    const ir_node *site; /* the place of evaluation in the function's text; NULL: it may be another
-                          * iteration's value */
+    const ir_node *site; /* the place of evaluation in the function's text; NULL: the value may be
+                          * another iteration's */
     bool is_exact;
-    bool loads_stay;        /* what is read here is not written while the caller's loop runs */
-    bool has_load;          /* an address depends on loads */
+    bool loads_stay; /* extent.c checks that the caller's loop does not write loaded memory */
+    bool has_load;   /* an address depends on loads */
     bool loads_are_certain; /* all of them are made whenever the function is called */
     unsigned depth;
 } rewriting;
@@ -34,7 +34,7 @@ static ir_node *unknown_part(rewriting *r, const ir_node *node) {
 
 /* ---- loads ----------------------------------------------------------------------------------- */
 
-/* May the function itself change memory that this address computation reads? */
+/* Does the function itself never change memory that this address computation loads? */
 static bool is_stable(const rewriting *r, const ir_node *load) {
     for (unsigned i = 0; i < r->terms->raw->items.count; i++) {
         const access *store = &r->terms->raw->items.items[i];
@@ -52,7 +52,8 @@ static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
 
-/* Is each variable in it an unchanged parameter, or the counter of a loop around both nodes? */
+/* Is each local variable in it an unchanged parameter, or the counter of a loop around both nodes?
+ */
 static bool has_one_value(const rewriting *r, const ir_node *node, const ir_node *first,
                           const ir_node *second) {
     if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {
@@ -234,7 +235,7 @@ static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
     return rewrite(r, row);
 }
 
-/* A search's element at another subscript, in the terms of the parameters; NULL: unknown. */
+/* The first element that a search reads, in terms of the parameters; NULL: it is no search. */
 static const ir_node *search_element(rewriting *r) {
     const access *item = r->item;
     const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
@@ -301,9 +302,8 @@ static void add_callee_loops(rewriting *r, loop_list *list) {
     }
 }
 
-/* Can the loops' rows be recorded, without any that the function does not read except adjacent
- * ones? A loop that may end early must be the innermost one, and access consecutive elements, which
- * are recorded as one range. */
+/* Can the loops' rows be recorded? A loop that may end early must be the innermost one, and access
+ * consecutive elements: they are recorded as one range, of which the function reads the first. */
 static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&
@@ -312,8 +312,8 @@ static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     return true;
 }
 
-/* The access with the loops around it. An element that is not read in each iteration may still be
- * recorded, if that evaluates only expressions that are evaluated anyway. */
+/* Sets *result to the access with the loops around it; false: they are unknown. An element that is
+ * not read in each iteration is recorded, too, if all expressions in it are evaluated anyway. */
 static bool access_with_loops(const callee_terms *terms, const access *item, access *result) {
     callee_loops loops = callee_loops_around(terms->function, item->node);
     if (item->kind != ACCESS_READ || !item->is_exact || !loops.are_known ||

@@ -16,8 +16,8 @@ typedef struct callee_terms {
 } callee_terms;
 
 /** The access in these terms. Reads whose subscripts depend on counters of the function's loops get
- *  these loops (access.loops). If the accessed element is unknown, is_exact is not set; for a
- *  search access.from is set then, and access.bounds if the function bounds the subscript. */
+ *  these loops (access.loops). If the accessed element is unknown, is_exact is not set. Then
+ *  access.from is set for a search, else access.bounds if the function bounds the subscript. */
 access callee_terms_of(const callee_terms *terms, const access *item);
 
 #endif

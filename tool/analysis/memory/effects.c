@@ -43,7 +43,7 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
     return all;
 }
 
-/* a[from] to a[call]: the last element that a search reads is the one it finds. */
+/* a[call]: the last element that a search reads has its result as subscript. */
 static const ir_node *found_element(arena *a, const ir_node *from, const ir_node *call) {
     ir_node *element = ir_substitute(a, from, NULL, NULL);
     element->children[1] = ir_substitute(a, call, NULL, NULL);
@@ -160,8 +160,8 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
                            .is_presumed = is_presumed});
 }
 
-/* Adds what a call may read that has no side effects, by attribute, by the user's assertion, or
- * by the analysis of another file. */
+/* Adds the reads of a call without side effects: according to an attribute, the user's assertion,
+ * or the analysis of another file. */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
     if (library_is_locale_table(call))

@@ -136,7 +136,7 @@ bool update_group_of(variable_facts *facts, const ir_node *assignment, update_gr
     return find_load(&r, assignment->children[1], assignment->children[0], group);
 }
 
-/* The variable that becomes the element's value here. */
+/* The variable that is set to the value read; NULL: none. */
 static const ir_variable *loaded_by(const ir_node *read) {
     const ir_node *load = read->parent;
     if (!load)

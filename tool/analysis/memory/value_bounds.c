@@ -8,7 +8,7 @@
 
 enum { MOST_TRACKED = 16, MOST_OFFSET = 1 << 20 };
 
-/* What is known of a variable. A floating one with has_least is either a NaN, or not below `least`,
+/* Facts about a variable. A floating one with has_least is either a NaN, or not below `least`,
  * a node of the function (NULL: not below 0). */
 typedef struct known_value {
     const ir_variable *variable;
@@ -34,7 +34,7 @@ typedef struct bounding {
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/* Does the variable change only where the function's text names it? */
+/* Is it a floating variable, or a signed integer that never wraps, that changes only by name? */
 static bool is_tracked(const bounding *b, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return variable_is_automatic(variable) && variable->function == b->function &&

@@ -13,7 +13,8 @@
  * 6.3.1.4).
  *
  * The statements before the place are executed on intervals. For an `if`, the results of both
- * branches are joined. Variables that a loop, a switch or a call may change are unknown after it.
+ * branches are joined. Variables that a loop, a switch or a compound assignment changes are unknown
+ * after it.
  */
 #ifndef ANALYSIS_VALUE_BOUNDS_H
 #define ANALYSIS_VALUE_BOUNDS_H

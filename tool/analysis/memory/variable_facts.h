@@ -10,7 +10,9 @@
 
 typedef struct variable_fact {
     VECTOR(const ir_node *) occurrences; /* IR_VARIABLE nodes, in text order */
-    VECTOR(const ir_node *) writes; /* nodes that assign it or take its address, in text order */
+    VECTOR(const ir_node *)
+    writes;               /* nodes that assign it, take its address, or pass it, or an
+                           * array in it, to a function; in text order */
     unsigned write_count; /* assignments, increments, initialisers; address-taking not counted */
     unsigned step_count;  /* of them, p++, p += e and the like */
     const ir_node *definition;       /* the value of the last assignment, if it is a plain `=` */
@@ -39,8 +41,8 @@ bool variable_escapes(variable_facts *facts, const ir_variable *variable);
  *  than directly under a subscript or *), also as an argument? */
 bool variable_is_exposed(variable_facts *facts, const ir_variable *variable);
 
-/** Does anything below `node` assign the variable or take its address by &? A variable whose
- *  address escapes may also change otherwise. */
+/** Does anything below `node` assign the variable, take its address by &, or pass an array of it to
+ *  a function? A variable whose address escapes may also change otherwise. */
 bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable);
 /** The same, but a call that gets &v and only reads through it, according to the callee's body,
  *  does not count. */
@@ -50,18 +52,18 @@ bool variable_may_change_in(variable_facts *facts, const ir_node *node,
 /** The highest node id below `node` (ids are in preorder: [node->id, last] is the subtree). */
 unsigned expression_last_id(const ir_node *node);
 
-/** The value of a local pointer or scalar that is assigned only once, by a plain initialiser or
- *  assignment; NULL otherwise. */
+/** The value of a local variable that is assigned only once, by an initialiser or a plain `=`, and
+ *  whose address is not taken unless it is an array; NULL otherwise. */
 const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable);
 
-/** The first value of a local pointer whose other assignments are all steps, if all of them are
- * inside `scope`; NULL: it is no such pointer. */
+/** The first value of a local pointer whose other assignments are all steps, if the first one and
+ * the steps are inside `scope`; NULL: it is no such pointer. */
 const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
                                    const ir_node *scope);
 
-/** The name of the only local array that a local pointer points into, wherever it is used: its
- * address is not taken, and it is only set to the array's elements or to null, and stepped. NULL:
- * it is no such pointer. */
+/** The node of the only local array into which a local pointer points: the pointer's address is not
+ *  taken, and it is only set to elements of the array or to null, and stepped. NULL: it is no such
+ *  pointer. */
 const ir_node *variable_walked_array(variable_facts *facts, const ir_variable *pointer);
 
 /** Is it a restrict pointer whose value is used only for accesses through it and for calls of

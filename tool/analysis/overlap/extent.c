@@ -80,7 +80,7 @@ static bool can_be_spelled(const loop_analysis *j, const ir_node *row) {
     return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
 }
 
-/* The initial value of a pointer that each iteration steps; NULL: it is none. */
+/* The initial value of a pointer that each iteration steps; NULL: it is no such pointer. */
 static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base) {
     if (base->kind != IR_VARIABLE || base->type->kind != IR_POINTER)
         return NULL;
@@ -106,8 +106,8 @@ static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
-/* A bit-field has no address, but the enclosing object has; that contains more bytes than are
- * read. */
+/* A bit-field has no address, but the enclosing object has; it contains more bytes than are read,
+ * so it is no extent `of_contents`. */
 static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
     if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
         return row;
@@ -217,8 +217,8 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
-/* Is it *(T (*)[n])p: n elements behind a pointer (callee_terms.c), of which some executions read
- * only the first ones? The object may end after these. */
+/* Is it *(T (*)[n])p, n elements behind a pointer (callee_terms.c), and may an execution read
+ * fewer? The object may end after these. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;
@@ -226,8 +226,8 @@ static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
 
 /* ---- between bounds -------------------------------------------------------------------------- */
 
-/* Does the loop not write the loaded memory, apart from arrays and scalars that are compared with
- * the read at run time? */
+/* Does the loop write the loaded memory, if at all, only by arrays and scalars that are compared
+ * with the read at run time? */
 static bool is_not_written(const loop_analysis *j, const ir_node *load) {
     const location where = location_of(j->an->facts, load, j->loop);
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -370,8 +370,8 @@ static const ir_node *result_variable(const ir_node *call, const ir_node **after
     return NULL;
 }
 
-/* The last element that a search reads: recorded with the variable that keeps the result, so that
- * the inspector need not repeat the search, or else with the call. */
+/* Plans the last element that a search reads by the variable that keeps the result, so that the
+ * inspector need not repeat the search. False: there is no such variable. */
 static bool plan_found(const loop_analysis *j, const loop_access *read, source_plan *plan) {
     const ir_node *after = NULL;
     const ir_node *variable = result_variable(read->access.node, &after);

@@ -15,8 +15,8 @@ typedef struct source_plan {
  *  read, because they will be compared. */
 source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool of_contents);
 
-/** The first and the last element that a look-up reads of a row, if access.to is set: it reads all
- *  elements between them as well. */
+/** Plans of the first and the last element that a look-up reads, if access.to is set; it reads all
+ *  elements between them as well. False: one of them cannot be recorded. */
 bool source_plans_of_search(const loop_analysis *j, const loop_access *read, source_plan *first,
                             source_plan *last);
 

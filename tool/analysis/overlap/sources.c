@@ -136,7 +136,7 @@ static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
                            analysis_name(j, scalar->access.lvalue));
 }
 
-/* The addresses of scalars in memory are compared with all arrays, with each other, and with all
+/* The addresses of guarded scalars are compared with all arrays, with each other, and with all
  * reads that may alias them; other writes must be proved disjoint. */
 static bool check_scalars_in_memory(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {

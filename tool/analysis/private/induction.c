@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * v = v0 + c (t - t0): if every iteration adds the same c to v, exactly once in any case, each
+ * v = v0 + c (t - t0): if every iteration adds the same c to v, unconditionally, each
  * iteration can begin with a copy that has the sequential loop's value there, and execute its text
  * unchanged. The sum is computed modulo 2^64 and converted to v's type: the sequential loop has the
  * same value unless it overflows. If each iteration of an inner loop adds c, the same holds with
@@ -51,8 +51,8 @@ static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool 
     return true;
 }
 
-/* The sum of all steps in the loop, at most one of them not constant; false: there is another
- * write. */
+/* Sets the sum of all steps in the loop, at most one of them not constant; false: the loop writes
+ * the variable otherwise, or the sum exceeds an int32_t. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     const loop_start *start = analysis_start_of(j, variable);

@@ -6,8 +6,8 @@
 #include "analysis/base/openmp_loop.h"
 #include "analysis/memory/variable_facts.h"
 
-/** May the value of a local variable at the end of `loop`, with these directives, be read later?
- *  True if unknown. */
+/** May the value of a local variable at the end of `loop` be read later? True if unknown. `openmp`:
+ *  the loop's directives; false if they make the variable private. */
 bool variable_is_live_after(variable_facts *facts, const openmp_loop *openmp, const ir_node *loop,
                             const ir_variable *variable);
 

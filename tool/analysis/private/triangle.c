@@ -13,8 +13,8 @@ static bool may_skip_iterations(const ir_node *body) {
            ir_has_kind(body, IR_CASE) || ir_has_kind(body, IR_DEFAULT);
 }
 
-/* i or i + c: c in *offset. An unsigned sum does not wrap around with c = 1: i + 1 is at most the
- * bound of its loop. */
+/* i or i + c: c in *offset. An unsigned sum with c = 1 does not wrap around: the counter itself
+ * reaches i + 1. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (expression_is_variable(node, row))

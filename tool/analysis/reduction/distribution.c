@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * t[i + c] = v, or t[i + c] op= v, in the body's outermost block, or under a condition there that
- * uses no other changing values, may be made after all iterations if
+ * t[i + c] = v, or t[i + c] op= v, in the body's outermost block, or under a condition there on the
+ * counter, the element and invariants, may be made after all iterations if
  * - each iteration reaches it: no `continue` (a `break` refuses the loop anyway);
  * - its subscript has a different value in each iteration, and the counter is the only changing
  *   operand of subscript, t and v: so the later stores are the same, in the same order;
  * - all other possible reads of the element are spelled t[i + c] too and precede the store in the
  *   same iteration: they find the same value;
  * - one of these reads is made in each iteration. Then the extent that is compared with each array
- * at run time, as for all reads, contains all stored elements: no update goes to one of them. Each
- *   element also has t's type when the store is made: reading it as another type, in any iteration,
- *   is undefined (C17 6.5p7), since no store of the loop lies between.
+ *   at run time, as for all reads, contains all stored elements: no update goes to one of them.
+ * Each element also has t's type when the store is made: reading it as another type, in any
+ * iteration, is undefined (C17 6.5p7), since no store of the loop lies between.
  */
 #include "analysis/reduction/distribution.h"
 

@@ -13,12 +13,12 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** The stores of a loop that have this form; NULL: none. */
+/** The stores of a loop that have this form, not yet checked; NULL: none. */
 const distribution *distribution_find(const loop_analysis *j);
 
-/** Given the accesses of a loop from which j->left_out.distribution was removed
- * (base/distributed.h): may its stores be made after all iterations, if the usual conditions on
- * reads and arrays are shown? */
+/** The reason why the stores of j->left_out.distribution, which were removed from the loop
+ *  (base/distributed.h), may not be made after all iterations. Other checks compare the loop's
+ *  reads with its arrays. */
 reason check_distribution(const loop_analysis *j);
 
 #endif

@@ -10,7 +10,7 @@ static bool is_same_integer(const ir_type *a, const ir_type *b) {
            a->is_signed == b->is_signed;
 }
 
-/* The value that the condition compares the target with; NULL if it does not. */
+/* The value with which the condition compares the target; NULL: it does not. */
 static const ir_node *compared_with(const ir_node *condition, const ir_node *target,
                                     bool *target_is_less) {
     if (condition->kind != IR_BINARY || condition->op < IR_OP_LESS ||
@@ -26,7 +26,7 @@ static const ir_node *compared_with(const ir_node *condition, const ir_node *tar
     return is_left ? right : left;
 }
 
-/* If the condition holds the target becomes `stored`, else `kept`; one of them is the target. */
+/* The target becomes `stored` if the condition holds, else `kept`. */
 static extremum selection(const ir_node *condition, const ir_node *target, const ir_node *stored,
                           const ir_node *kept) {
     bool target_is_less;

@@ -8,9 +8,9 @@
 
 typedef struct extremum {
     const ir_node *target; /* NULL: the node has none of these forms */
-    bool has_operator;     /* the compared value is the stored one: the operator is `op` */
+    bool has_operator;     /* the compared value is the stored one; `op` is set */
     reduction_operator op; /* REDUCTION_MINIMUM or REDUCTION_MAXIMUM */
-    bool commutes;         /* on integers of one type: the order of the updates does not matter. For
+    bool commutes;         /* integers of one type: the order of the updates does not matter. For
                             * floating values it does, because of NaNs and the sign of zeros */
 } extremum;
 

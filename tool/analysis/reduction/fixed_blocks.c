@@ -37,7 +37,7 @@ static bool reduces_scalar(const search *s, const openmp_item *item) {
     return variable && variable->type->kind != IR_ARRAY;
 }
 
-/* The compiled OpenMP directives above the loop; *unread: one of them is not plain text. */
+/* The number of compiled OpenMP directives above the loop; *unread: a macro makes one of them. */
 static unsigned directives_above(const search *s, const ir_directive **last, bool *unread) {
     const ir_unit *unit = s->an->unit;
     unsigned count = 0;
@@ -53,8 +53,7 @@ static unsigned directives_above(const search *s, const ir_directive **last, boo
     return count;
 }
 
-/* Does its text reduce something? For a directive that is not understood, only its text can be
- * searched. */
+/* May a directive that is not understood reduce something? Only its text can be searched. */
 static bool may_reduce(const openmp_directive *read, const ir_directive *d) {
     return read->kept && strstr(d->text, "reduction") != NULL;
 }
@@ -114,7 +113,7 @@ static uint32_t header_end(const source *text, const ir_node *loop) {
     return 0;
 }
 
-/* Conditional lines and other directives between the loop's beginning and its body. */
+/* Does a directive, also a conditional line, begin in the range? */
 static bool has_directive_in(const ir_unit *unit, ir_range range) {
     const unsigned next = loop_text_first_directive(unit, range.begin);
     return next < unit->directive_count && unit->directives[next].range.begin < range.end;
@@ -147,7 +146,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     return found.loop;
 }
 
-/* The loop that blocks divide as well; NULL: none. */
+/* The inner loop of `collapse`, if blocks can divide it as well; or NULL. */
 static const nested_blocks *find_inner(const search *s, const fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     ir_node *loop =

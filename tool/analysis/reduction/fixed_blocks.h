@@ -14,13 +14,13 @@
 #include "analysis/base/openmp_loop.h"
 #include "analysis/loop/loop_analysis.h"
 
-/** False: no compiled OpenMP directive above the loop reduces scalars. Otherwise the verdict:
- *  VERDICT_BLOCKS, or VERDICT_REFUSE with the reason. */
+/** False: the last compiled OpenMP directive above the loop reduces no scalar. Otherwise *verdict
+ * is VERDICT_BLOCKS, or VERDICT_REFUSE with the reason. */
 bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
                     loop_verdict *verdict);
 
-/** Notes why the loop's other updates are not made in the sequential order: `before` is the verdict
- *  about them. */
+/** Notes why updates under a lock are not made in sequential order: the refusal in `before`, the
+ *  verdict of the loop's ordinary analysis. */
 void blocks_note_refusal(const analyser *an, const loop_verdict *verdict,
                          const loop_verdict *before);
 

@@ -3,9 +3,9 @@
  * A read may use the stored value if
  * - it follows the store in its block, so that the store was executed before it in this iteration,
  *   and is the same expression, whose operands do not change in between;
- * - no other write between the store and the read can be that element: proved, because the run-time
- *   guards compare reads with each array, including this one;
- * - it is in the text, so that another name can replace it.
+ * - no other write between the store and the read can be to that element. This is proved: a
+ * run-time guard compares a read with each array, also with the store's own, and would fail;
+ * - it is in the text, so that a variable's name can replace it.
  * Reads of the array by other expressions are analysed as usual: if they are the same memory, the
  * loop is refused, and if they may be, they are guarded.
  */
@@ -19,7 +19,7 @@ static bool has_type(const ir_type *type) {
             type->kind == IR_BOOLEAN);
 }
 
-/* Constants, and variables that change only by name. */
+/* Is it made of constants, and of local scalars that change only by name? */
 static bool is_simple_subscript(const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return variable_is_automatic(node->variable) && !node->variable->address_taken &&
@@ -48,7 +48,7 @@ static bool is_simple_element(const ir_node *node) {
     }
 }
 
-/* Does the node, or a part of it, assign a variable of the subscripts? */
+/* Does the node, or a part of it, assign a subscript or pointer of the element? */
 static bool changes_address(const loop_analysis *j, const ir_node *element, const ir_node *node) {
     if (element->kind == IR_VARIABLE && ir_type_is_scalar(element->type) &&
         variable_written_in(j->an->facts, node, element->variable))
@@ -72,8 +72,8 @@ static const ir_node *value_of(const loop_access *store) {
                : NULL;
 }
 
-/* The statement, if all statements after it in its block are executed in order and preserve the
- * element's address; or NULL. */
+/* The store's statement, if no jump enters it or a later one of its block, and none of these but
+ * the loop's own increment changes the element's address; or NULL. */
 static const ir_node *statement_of(const loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = value_of(store) ? target->parent->parent : NULL;
@@ -127,7 +127,7 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
                           const ir_node *statement, const ir_node *target) {
     const ir_node *place = statement_around(write->access.node, statement->parent);
     if (!place || place->id < statement->id)
-        return false; /* before the store, or in an iteration that does not reach it */
+        return false; /* before the store, or outside of its block */
     for (unsigned i = 0; i < j->access_count; i++) {
         const ir_node *read = j->accesses[i].access.node;
         if (!may_use_value(&j->accesses[i], statement, target))
@@ -139,8 +139,8 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
     return false;
 }
 
-/* Is the element accessed only by the store and such reads, and may no other write change it
- * between them? */
+/* Does no access other than the store and such reads certainly touch the element, and may no write
+ * change it between them? */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];

@@ -4,15 +4,15 @@
  *
  *     o[t] = e;  h[o[t]] += w[t];
  *
- * Such a read may use a variable with the value instead of the memory, which is not yet written
- * when the inspector reads it, and may be written by another thread in the executor.
+ * Such a read may use a variable with the value. The memory is not yet written when the inspector
+ * runs; in the executor another thread may write it.
  */
 #ifndef ANALYSIS_FORWARD_H
 #define ANALYSIS_FORWARD_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Can all other reads of the memory that `store` writes (a plain store in the loop's text) use the
+/** Is `store` a plain store in the loop's text, and can all reads that certainly overlap it use the
  *  value? Then they get CLASS_FORWARDED, and the store is added to j->forwards. */
 bool forward_take(loop_analysis *j, const loop_access *store);
 

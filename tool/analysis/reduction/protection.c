@@ -47,7 +47,7 @@ static bool is_updated_at(const loop_analysis *j, const ir_variable *variable,
     return false;
 }
 
-/* Does the variable occur nowhere in the loop but in its updates? */
+/* Does the variable occur only in its updates, and does no called function read it? */
 static bool occurs_in_updates_only(const loop_analysis *j, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     for (unsigned i = 0; i < fact->occurrences.count; i++)
@@ -224,7 +224,8 @@ static const char *check_locks(const loop_analysis *j, bool *protects) {
 
 /* ---- `for` --------------------------------------------------------------------------------- */
 
-/* One thread of the team executes it, or all of them with that one's variables. */
+/* For `omp for`: one thread of the team executes the loop, or all do with that thread's variables.
+ */
 static const char *check_team(const loop_analysis *j, const openmp_loop *openmp) {
     const openmp_directive directive = {OPENMP_FOR, openmp->item_count, openmp->items, NULL};
     team_facts facts;

@@ -5,8 +5,8 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Why the loop cannot be executed without its directives, in sequential order; REASON_NONE if it
- *  can, or has none. All accesses of the loop must be known. */
+/** Why the loop keeps its directives: they change its results, or protect no update of an array.
+ *  REASON_NONE: it may run without them, or has none. All accesses must be classified. */
 reason check_protection(const loop_analysis *j);
 
 #endif

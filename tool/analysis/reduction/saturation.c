@@ -30,14 +30,15 @@ static int64_t highest_of(const ir_type *type) {
     return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is above it */
 }
 
-/* Are both operands compared as numbers, without a conversion that changes one of them? */
+/* Is the constant above 0, and are both operands compared without a conversion that changes one? */
 static bool compares_numbers(const ir_type *counter, const ir_node *constant, int64_t *value) {
     return constant->type && constant->type->kind == IR_INTEGER &&
            (constant->type->is_signed || !counter->is_signed) &&
            expression_constant(constant, value) && *value > 0;
 }
 
-/* R < C, R <= C - 1, R != C where nothing is above C; or the other way round. */
+/* R < C, R <= C - 1, or R != C if no value is above C; also with the operands swapped. Sets *limit
+ * to C. */
 static bool is_below(const ir_node *condition, const ir_node *target, int64_t *limit) {
     const bool reads_left =
         condition->child_count == 2 && expression_same(condition->children[0], target);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * Updates of a scalar (scalars.h) are made after the loop, so nothing else in the loop may read
- * or write it. For other objects, and for pointers, that must be proved. Types may be used for the
- * proof: an iteration that updates the object finds it with the object's type (C17 6.5p7), and
- * overlapping stores of another type are excluded like all others.
+ * or write it. For members, elements and targets of pointers, this is proved or compared at run
+ * time. The proof may use types: an iteration that updates the object finds it with its type
+ * (C17 6.5p7), and stores of another type count as disjoint.
  */
 #include "analysis/reduction/scalar_target.h"
 

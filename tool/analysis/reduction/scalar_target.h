@@ -8,7 +8,8 @@
 /** Is it one object in all iterations, reached through invariants: m.x, e[2], *p, p->energy? */
 bool scalar_target_is_invariant(const loop_analysis *j, const ir_node *target);
 
-/** May the loop access it other than by this expression, according to the analysis? */
+/** The worst overlap of the target, or a variable, with accesses by other expressions of the loop.
+ */
 overlap scalar_target_overlap(const loop_analysis *j, const ir_node *target);
 
 #endif

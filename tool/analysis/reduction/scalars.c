@@ -3,8 +3,8 @@
  * If nothing else reads a scalar that the loop accumulates into, its value does not matter while
  * the loop runs: only the operands do. Each iteration keeps its own; after the loop they are
  * applied in order, which gives the bits of the sequential loop. For a minimum or maximum they are
- * the compared values (scalar_extremum.c). Integers may be combined within an iteration as well:
- * modulo 2^64 their sums do not depend on the order. For floating numbers in an inner loop each
+ * the compared values (scalar_extremum.c). An iteration may combine its integer operands: modulo
+ * 2^64 the result does not depend on the order. For floating numbers in an inner loop each
  * iteration keeps a series.
  */
 #include "analysis/reduction/scalars.h"
@@ -20,7 +20,7 @@ static bool is_operator(ir_operator op) {
            op == IR_OP_BIT_OR || op == IR_OP_BIT_XOR;
 }
 
-/* s op= e, s = s op e, s = e + s, s++: fills operator and operand. */
+/* s op= e, s = s op e, s = e + s, s = e * s, s++, s--: sets operator and operand. */
 static bool recognise(const ir_node *assignment, const ir_node *s, scalar_update *found) {
     if (assignment->kind == IR_UNARY) {
         found->op = assignment->op == IR_OP_PRE_INCREMENT || assignment->op == IR_OP_POST_INCREMENT
@@ -49,8 +49,8 @@ static bool is_narrow_floating(const ir_type *type) {
     return type->kind == IR_FLOATING && (type->size == 4 || type->size == 8);
 }
 
-/* The type of the operation, to which the operand is converted. For integers only the operand
- * modulo 2^64 matters. */
+/* Sets the type of the operation, to which the operand is converted; false: it has no operand_type.
+ * Of an integer operand only the value modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
@@ -125,7 +125,7 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
         return false;
     for (unsigned i = 0; i < j->scalars.count; i++)
         if (j->scalars.items[i].statement == found.statement)
-            return true; /* if (e > s) { s = e; at = i; } is one */
+            return true; /* if (e > s) { s = e; at = i; } is one update */
     mark_own(j, found.statement, found.variable);
     if (found.place)
         mark_own(j, found.statement, found.place);
@@ -134,7 +134,7 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
 }
 
 /* Is the target a variable from outside the loop, or another object that is the same in all
- * iterations? */
+ * iterations? *is_guarded: other accesses may alias it. */
 static bool is_scalar(const loop_analysis *j, const loop_access *write, bool *is_guarded) {
     const ir_node *target = write->access.lvalue;
     if (target->kind == IR_VARIABLE) {
@@ -154,7 +154,7 @@ static bool have_same_target(const scalar_update *a, const scalar_update *b) {
     return expression_same(a->target, b->target);
 }
 
-/* If operands of one update of a scalar form a series, those of its other updates belong to it. */
+/* If one update of a scalar has a series, the operands of all its updates belong to that series. */
 static void join_series(loop_analysis *j, scalar_update *found) {
     for (unsigned i = 0; i < j->scalars.count; i++)
         found->is_series |=
@@ -220,7 +220,8 @@ static bool is_of_series(const scalar_update *other, const scalar_update *repeat
     return !other->is_extremum && other->op == repeated->op && other->operand == repeated->operand;
 }
 
-/* Operands combined in an iteration must commute with all other updates of the scalar. */
+/* Operands that an iteration combines must commute with the scalar's other updates; those of a
+ * series must have one operator and type. */
 static reason check_repeated(const loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
@@ -232,7 +233,8 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
     return (reason){0};
 }
 
-/* Checks that a member, an element or a pointer's target is accessed only by its updates. */
+/* Checks that only its updates name the member, element or pointer's target. scalar_target_overlap
+ * has compared it with other expressions. */
 static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -244,7 +246,7 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
 }
 
 /* Checks that the variable is accessed only by its updates; the `place` of an extremum only by this
- * one. Possible aliases are compared at run time (sources.c). */
+ * one. Possible aliases of a guarded one are compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

@@ -7,10 +7,11 @@
 #include "analysis/loop/loop_analysis.h"
 
 /** Accepts the write as an update of a scalar whose operands are kept for each iteration and
- *  applied in order after the loop. False: it is none; nothing is changed. */
+ *  applied in order after the loop. False: it is no such update, and nothing is changed. */
 bool scalar_take_update(loop_analysis *j, loop_access *write);
 
-/** Checks, when all writes are classified, that nothing else in the loop reads or writes them. */
+/** Once all writes are classified: do only its updates access each scalar, and may an iteration
+ *  combine their operands? Accesses that a guard compares are permitted. */
 reason check_scalars(const loop_analysis *j);
 
 #endif

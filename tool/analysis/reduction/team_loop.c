@@ -33,7 +33,7 @@ static const ir_directive *directive_above(const ir_unit *unit, const ir_node *s
     return last;
 }
 
-/* The innermost `parallel`, and whether it is the function's only directive around the loop. */
+/* Finds the innermost `parallel` around the loop, and whether no directive is around it in turn. */
 static void find_region(team_loop *it) {
     const ir_unit *unit = it->an->unit;
     for (const ir_node *node = it->loop->parent; node && node != it->function->body;
@@ -65,13 +65,13 @@ static bool is_private(const team_loop *it, const ir_variable *variable) {
            (!it->region || is_in(variable->range, it->region->range));
 }
 
-/* ---- what a static schedule promises ------------------------------------------------------- */
+/* ---- the guarantees of a static schedule ---------------------------------------------------- */
 
 static const ir_variable *named_by(const team_loop *it, const openmp_item *item) {
     return openmp_variable(it->an->unit, it->loop, it->function, item->text);
 }
 
-/* Does a clause of the loop make it private, or is it declared in the loop? */
+/* Is it the counter, named by a clause of the loop, or declared in the loop? */
 static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
     for (unsigned i = 0; i < it->directive->item_count; i++)
         if (it->directive->items[i].kind <= OPENMP_REDUCTION &&
@@ -92,8 +92,8 @@ static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     return found;
 }
 
-/* Does it use a function, outside of the loop, that may distribute iterations as well? Or something
- * by which a thread may know its number? */
+/* Does it name, outside of the loop, a function that may distribute iterations, or a thread-local
+ * variable, by which a thread may know its number? */
 static bool may_call_loops(const team_loop *it, const ir_node *node) {
     if (node == it->loop)
         return false;

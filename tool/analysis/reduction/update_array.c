@@ -9,7 +9,7 @@
 
 /* ---- the base ------------------------------------------------------------------------------- */
 
-/* row[1] or p->x, with double *row = b[k] or p = &b[k] in the loop: found through the definition.
+/* row[1] or p->x, with double *row = b[k] or p = &b[k] in the loop: that definition has the base.
  */
 bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update) {
     const ir_node *target = update->access.form.target;
@@ -27,8 +27,8 @@ static bool base_is_invariant(const loop_analysis *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
-/* Is it a local table into which the loop stores pointers? They may differ in each iteration, and
- * depend on data that are not compared when a plan is reused. */
+/* Is it a local table into which the loop may store pointers? They may differ in each iteration,
+ * and depend on data that are not compared when a plan is reused. */
 static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
     for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
@@ -71,8 +71,8 @@ static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *ta
     return true;
 }
 
-/* Is this update of a fixed element, h[0]++, of an array that is also updated at varying
- * subscripts, h[k]++? */
+/* Does this update of a fixed element, h[0]++, belong to an array whose first update has a varying
+ * subscript, h[k]++? */
 static bool is_updated_besides(const loop_analysis *j, const loop_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (update->access.kind == ACCESS_UPDATE &&
@@ -107,7 +107,6 @@ bool update_check_base(loop_analysis *j, const loop_access *update, const char *
     return true;
 }
 
-/* For s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
 const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
     const ir_node *last = base;
     while (last != target && last->parent && last->parent->kind == IR_MEMBER)
@@ -176,12 +175,12 @@ bool update_array_find(loop_analysis *j, const loop_access *update, update_kind 
            check_neighbours(j, update, kind, &j->arrays.items[*number], *number);
 }
 
-/* ---- rows of pointers to records -------------------------------------------------------------
- * p = &b[k]; ... p->x += v: the row is b[k].x, if k has not changed since. Spelled so, spans can
- * see how it steps.
+/* ---- rows behind pointers to records ---------------------------------------------------------
+ * p = &b[k]; ... p->x += v: the row is b[k].x, if k has not changed since. This spelling shows
+ * spans.c how the row steps.
  */
 
-/* Does it mention, besides numbers, only the loop's counter and variables of the iteration? */
+/* Is it a sum of numbers, the loop's counter, and local variables that the body writes by name? */
 static bool is_of_iteration_alone(const loop_analysis *j, const ir_node *index) {
     if (index->kind == IR_VARIABLE)
         return !index->variable->address_taken && variable_is_automatic(index->variable) &&
@@ -206,8 +205,8 @@ static bool writes_any_of(const ir_node *block, const ir_node *index) {
     return false;
 }
 
-/* Is the pointer computed in a block around the statement, before it, and does nothing in that
- * block write its operands? */
+/* Is the pointer computed before the statement, in a block around it, and does nothing in that
+ * block write a variable of the element's subscript? */
 static bool is_made_before(const loop_analysis *j, const ir_node *element,
                            const ir_node *statement) {
     const ir_node *made = element;
@@ -219,7 +218,7 @@ static bool is_made_before(const loop_analysis *j, const ir_node *element,
            !writes_any_of(block, element->children[1]);
 }
 
-/* For an update through p = &b[k]: b[k]; NULL: it has another form. */
+/* For an update through p = &b[k]: b[k]; NULL: another form, or k may have changed. */
 static const ir_node *element_of_pointer(const loop_analysis *j, const loop_access *update,
                                          const ir_node *statement) {
     if (!update_is_by_local_pointer(j, update) || !base_is_invariant(j, update->where.base))
@@ -237,7 +236,7 @@ static const ir_node *element_of_pointer(const loop_analysis *j, const loop_acce
                : NULL;
 }
 
-/* `p->x` spelled by the element that p points to: b[k].x. */
+/* `p->x` spelled by the element that p points to: b[k].x. The target itself if its form differs. */
 static const ir_node *spelled_by_element(const loop_analysis *j, const ir_node *target,
                                          const ir_node *element) {
     const ir_variable *pointer = ir_root_variable(target);

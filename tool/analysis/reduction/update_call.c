@@ -4,7 +4,8 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-/* ---- inside of the parameter's target -------------------------------------------------------- */
+/* ---- inside of the memory that the parameter points to ----------------------------------------
+ */
 
 static bool is_parameter(const ir_node *node, const ir_variable *parameter) {
     return node->kind == IR_VARIABLE && node->variable == parameter;
@@ -15,7 +16,7 @@ static bool is_subscript_below(const ir_node *subscript, int64_t count) {
     return count > 0 && counted_range(subscript, &low, &high) && low >= 0 && high < count;
 }
 
-/* Is it *(T (*)[n])p with a p to T: n elements from p's target on (callee_terms.c)? */
+/* Is it *(T (*)[n])p with a p to T: the n elements that begin at p (callee_terms.c)? */
 static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *cast = lvalue->children[0];
     return cast->kind == IR_CAST && is_parameter(cast->children[0], parameter) &&
@@ -23,7 +24,7 @@ static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
            ir_type_equal(lvalue->type->target, parameter->type->target);
 }
 
-/* Do all the bytes of the lvalue lie in the first `size` ones of the parameter's target? */
+/* Do all bytes of the lvalue lie in the `size` bytes that the parameter points to? */
 static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int64_t size) {
     const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
     if (!child || !lvalue->type || lvalue->type->size <= 0 || lvalue->type->size > size)
@@ -51,7 +52,7 @@ static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int
 
 /* ---- the element or row ---------------------------------------------------------------------- */
 
-/* The target of the argument, as an lvalue; NULL: unknown. */
+/* The lvalue to which the argument points; NULL: unknown. */
 static const ir_node *pointed_element(const loop_analysis *j, const ir_node *argument) {
     if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
         return argument->children[0];
@@ -81,7 +82,7 @@ static bool points_to(const ir_type *pointer, const ir_type *target) {
 
 /* ---- the call -------------------------------------------------------------------------------- */
 
-/* The parameter through which everything is written; NULL: there is none, or more than one. */
+/* The parameter through which everything is written; NULL: no single one is certain. */
 static const ir_variable *written_parameter(const access_list *known) {
     const ir_variable *found = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -131,8 +132,8 @@ static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) 
     return true;
 }
 
-/* p[k], p[k][c], p->v[k]: an element of the parameter's target, with subscripts that the caller can
- * compute as well. */
+/* p[k], p[k][c], p->v[k]: a scalar element behind the parameter, with subscripts that the caller
+ * can compute as well. */
 static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *node = lvalue;
     while (node->kind == IR_INDEX && is_of_parameters(node->children[1], parameter)) {
@@ -147,8 +148,8 @@ static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter
     return false;
 }
 
-/* add_at(h, k, v): the one element that the call writes, each time, in the function's terms; NULL:
- * it writes more, or elsewhere. */
+/* add_at(h, k, v): the one element that each call writes, in the function's terms; NULL: a call may
+ * write none, more, or elsewhere. */
 static const ir_node *written_element(const access_list *known, const ir_variable *parameter) {
     const ir_node *element = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -170,11 +171,11 @@ static const ir_node *argument_for(const ir_node *call, const ir_variable *param
     return NULL;
 }
 
-/* The memory that a call writes, in its function's terms: one element, or the first bytes of a
- * parameter's target. */
+/* The memory that a call writes, in its function's terms: one element, or the first bytes that
+ * a parameter points to. */
 typedef struct written_part {
     const ir_variable *parameter;
-    const ir_node *element; /* NULL: by size */
+    const ir_node *element; /* NULL: the first `size` bytes */
     int64_t size;
 } written_part;
 
@@ -183,8 +184,8 @@ static bool is_in_part(const ir_node *lvalue, const written_part *part) {
                          : lies_within(lvalue, part->parameter, part->size);
 }
 
-/* Does the update compute in the target's own type? A floating value added to an integer is rounded
- * at each step, so that the order matters. */
+/* Is the target no _Bool, and no integer updated by another type? Otherwise each update converts
+ * its result, so that the order matters. */
 static bool keeps_type(const update_form *form) {
     const ir_type *type = form->target->type;
     return type && type->kind != IR_BOOLEAN &&
@@ -192,8 +193,8 @@ static bool keeps_type(const update_form *form) {
             (form->value->type && form->value->type->kind == IR_INTEGER));
 }
 
-/* Sets the operator if all writes are updates by one, as *d += e, and nothing else reads the part.
- */
+/* Sets the operator if all writes are updates by the same one, *d += e, and nothing else reads the
+ * part. */
 static void find_operator(const access_list *known, const written_part *part, update_call *found) {
     unsigned writes = 0;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -231,7 +232,7 @@ static const ir_node *target_by_address(const loop_analysis *j, const ir_node *c
     return target;
 }
 
-/* Is the array a member of the argument, so that the call's text does not name it? */
+/* Is the array a member of the argument's record, so that the call's text does not name it? */
 static bool is_by_member(const written_part *part) {
     const ir_node *base = part->element;
     while (base && base->kind == IR_INDEX)

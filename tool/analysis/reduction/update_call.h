@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Updates made by a function that gets the address of an element or of a row, or that gets an
- * array and subscripts, as add_at(R, k, e):
+ * Updates made by a function that gets the address of an element or row, or an array and
+ * subscripts:
  *
- *     add(&R[k], e);        add_vector(b[i], f);        raise(&cell[k].high, v);
+ *     add(&R[k], e);    add_vector(b[i], f);    raise(&cell[k].high, v);    add_at(R, k, e);
  *
  * The function has a body here. It writes only through one argument, within the element or row.
  */
@@ -13,11 +13,11 @@
 #include "analysis/loop/loop_analysis.h"
 
 typedef struct update_call {
-    const ir_node *statement; /* NULL: the call is no update of this form */
+    const ir_node *statement; /* NULL: the call is no such update */
     const ir_node *target;    /* the element or row */
     bool has_operator;        /* one operator, and the element is not read otherwise */
-    bool is_by_member; /* its array is a member of the argument: the call would not find a private
-                        * copy of it */
+    bool is_by_member; /* its array is a member of the record that the argument points to: the call
+                        * would not find a private copy */
     reduction_operator op;
 } update_call;
 

@@ -4,7 +4,7 @@
 #include "analysis/base/expression.h"
 
 /* Is the element read each time that the expression is evaluated? Then its address may be computed
- * before. */
+ * before the expression. */
 static bool always_reads(const ir_node *node, const ir_node *element) {
     if (expression_same(node, element))
         return true;
@@ -31,7 +31,8 @@ static bool is_write_of(const ir_node *expression, const ir_node *element) {
     return written && expression_same(written, element);
 }
 
-/* Does the statement only assign the element, perhaps under conditions? */
+/* Are all assignments that are statements here of the element? Expressions may have other effects.
+ */
 static bool writes_only(const ir_node *statement, const ir_node *element) {
     switch (statement->kind) {
     case IR_EMPTY:

@@ -20,7 +20,7 @@ const ir_node *update_statement(const loop_analysis *j, const ir_node *target);
 bool update_statement_reads_itself(const loop_access *read, const ir_node *statement,
                                    const ir_node *target);
 
-/** The same for any update statement of the loop around the read. */
+/** The same for any statement of the loop around the read that writes the element it reads. */
 bool is_read_of_own_element(const loop_analysis *j, const loop_access *read);
 
 #endif

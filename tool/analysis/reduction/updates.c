@@ -34,7 +34,7 @@ static bool is_own_object(const loop_analysis *j, const location *where) {
            where->object->function == j->function;
 }
 
-/* Is the variable written here private? Adds it to the list if so. */
+/* Is the variable the counter, or private? Adds a private one to the list. */
 static bool take_private(loop_analysis *j, const ir_variable *variable) {
     if (variable == j->counted.counter || find_private(j, variable))
         return true;
@@ -77,7 +77,7 @@ static bool decides_subscripts(const loop_analysis *j, const loop_access *store)
     return false;
 }
 
-/* A read of the stored memory, other than by the storing statement; NULL: none. */
+/* A read of the stored memory by a statement that does not write what it reads; NULL: none. */
 static const loop_access *other_read(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -131,7 +131,8 @@ static bool is_last_step(const loop_analysis *j, const ir_node *statement,
     return step && statement->kind == IR_EXPRESSION && induction_is_last_step(j, statement, step);
 }
 
-/* Does the same statement have other effects? The owner-checked form would skip them as well. */
+/* Does the statement have effects besides the update? The owner-checked form would skip them, too.
+ */
 static bool has_other_effect(const loop_analysis *j, const ir_node *statement,
                              const loop_access *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -199,7 +200,8 @@ static bool reads_itself(const loop_analysis *j, const ir_node *statement, const
     return false;
 }
 
-/* A floating value added to an integer is rounded at each step; so are sums in a _Bool. */
+/* Does each update convert the result to a narrower kind, a _Bool, an integer, a real number? Then
+ * the order matters. */
 static bool rounds_to_integer(const ir_type *type, const ir_node *value) {
     if (type->kind == IR_BOOLEAN)
         return true;
@@ -240,7 +242,8 @@ static bool check_update(loop_analysis *j, loop_access *update) {
     if (!check_element(j, update, name) || !update_check_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
-    kind.needs_order |= update_is_by_local_pointer(j, update); /* it may not point into a copy */
+    kind.needs_order |=
+        update_is_by_local_pointer(j, update); /* it does not point into a private copy */
     if (!update_array_find(j, update, kind, &number))
         return false;
     for (unsigned i = 0; i < j->access_count; i++)
@@ -288,7 +291,7 @@ static bool check_call(loop_analysis *j, loop_access *write) {
     return true;
 }
 
-/* v = h[k]; v += e; h[k] = v: the thread that owns the element executes all of it. */
+/* v = h[k]; v += e; h[k] = v: only the thread that owns the element executes these statements. */
 static bool check_group(loop_analysis *j, loop_access *store, const update_group *group) {
     unsigned number;
     const ir_node *target = group->element;
@@ -331,7 +334,8 @@ static bool is_of_group(const loop_analysis *j, const loop_access *store, update
            update_group_of(j->an->facts, store->access.lvalue->parent, group);
 }
 
-/* A plain store: each element's last one counts, so their order must be kept. */
+/* A write other than an update in the text: by a call, by a group, or a plain store. The last store
+ * to an element counts, so their order is kept. */
 static bool check_store(loop_analysis *j, loop_access *store) {
     if (store->access.callee)
         return check_call(j, store);
@@ -413,7 +417,7 @@ static bool check_write(loop_analysis *j, loop_access *write) {
     return is_update ? check_update(j, write) : check_store(j, write);
 }
 
-/* A read of an updated element is a better reason than a store in the same loop. */
+/* Refuses a read of an updated element: a more useful reason than a store in the same loop. */
 static bool check_plain_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -430,7 +434,7 @@ static bool check_plain_reads(loop_analysis *j) {
 }
 
 static bool check_writes(loop_analysis *j) {
-    /* Updates first: a reason found in them is a better one than one found in a store. */
+    /* Irregular updates first: a reason to refuse one is more useful than one to refuse a store. */
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
             loop_access *a = &j->accesses[i];

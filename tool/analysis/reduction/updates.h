@@ -8,7 +8,7 @@
 typedef struct update_result {
     reason why;
     unsigned access_count;
-    loop_access *accesses; /* each write with its class, and reads that updates or stores explain */
+    loop_access *accesses; /* all of the loop, with the classes decided so far */
     array_list arrays;
     update_list updates;
     scalar_list scalars;
@@ -17,7 +17,7 @@ typedef struct update_result {
     private_list privates; /* all of them, including those that the header steps */
 } update_result;
 
-/** Finds updates and their arrays, decides which writes are private, refuses all others. */
+/** Classifies each write of the loop; refuses the loop at the first that has no class. */
 update_result check_updates(const loop_analysis *j);
 
 #endif

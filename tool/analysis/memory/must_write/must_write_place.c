@@ -77,7 +77,6 @@ static place locate_member(run *r, state *s, const ir_node *node) {
     return p;
 }
 
-/* The place of an lvalue; other expressions are evaluated, and their place is elsewhere. */
 place run_locate(run *r, state *s, const ir_node *node) {
     place p = elsewhere;
     if (!run_step(r, node, 1))

@@ -27,8 +27,8 @@ typedef struct twin_loops {
     const run *r;
     const ir_node *writer, *reader;
     const ir_node *block; /* of the writer; the reader is in a later statement of it */
-    unsigned first, last; /* the statements from the writer on, or from that before which sets one
-                           * of its counters, up to that with the reader */
+    unsigned first, last; /* statements of the block: from the writer, or from an earlier one that
+                           * sets a counter, up to the one with the reader */
     unsigned counter_count;
     struct {
         const ir_variable *of_writer, *of_reader;
@@ -136,7 +136,7 @@ static bool same_start(twin_loops *twins, const ir_node *a, const ir_node *b) {
     return true;
 }
 
-/* The pointer that an element is reached by, in *p, *p++, p[k]; NULL: another element. */
+/* The pointer p of an element *p, *p++ or p[k]; NULL: it has another form. */
 static const ir_variable *pointer_of(const ir_node *element) {
     const ir_node *address = element->child_count ? element->children[0] : element;
     if (is_step_afterwards(address))
@@ -151,7 +151,7 @@ static bool header_sets(const ir_node *loop, const ir_variable *variable) {
 }
 
 /* Pointers that statements before the loops set: p = w; for (...) *p++ = ...; The headers have not
- * set their counters yet: none may be named there. */
+ * set their counters yet, so these values must not name them. */
 static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     unsigned number;
     if (!a || !b || header_sets(twins->writer, a) || header_sets(twins->reader, b) ||
@@ -211,7 +211,7 @@ static bool is_element(const ir_node *node) {
     return node->kind == IR_INDEX || (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
 }
 
-/* Is it `element = ...;`, executed in each iteration of the writer, and is that what is read? */
+/* Is the statement, a direct part of the writer's body, `element = ...;` for the element read? */
 static bool writes_element(twin_loops *twins, const ir_node *statement, const ir_node *read) {
     const ir_node *assign = statement->kind == IR_EXPRESSION ? statement->children[0] : statement;
     return assign->kind == IR_ASSIGN && assign->op == IR_OP_NONE &&
@@ -231,8 +231,8 @@ static bool are_twins(twin_loops *twins, const ir_node *read) {
     return false;
 }
 
-/* Is there a writer for this loop around the read? It is in a block around the loop, before it, so
- * that nothing reaches the loop but through it: blocks of a switch are passed over. */
+/* Has the loop around the read a writer? It is before the loop, in a block around it, so that
+ * control reaches the loop only through the writer. Blocks of a switch are skipped. */
 static bool has_writer(const run *r, const ir_node *reader, const ir_node *read) {
     for (const ir_node *at = reader; at != r->body; at = at->parent) {
         const ir_node *block = at->parent;

@@ -31,7 +31,7 @@ struct must_write {
     arena *arena;
     const ir_unit *unit;
     const analysis_options *options;
-    call_summary *summaries[SUMMARY_LISTS]; /* by function id */
+    call_summary *summaries[SUMMARY_LISTS]; /* by function id % SUMMARY_LISTS */
     arena *scratch;                         /* of the current query */
     unsigned steps;                         /* remaining for the query */
 };
@@ -49,7 +49,7 @@ typedef struct run {
     const ir_node *read_node;  /* the first premature read */
     const char *unknown;       /* set: the interpretation has ended, nothing is known */
     const ir_node *unknown_node;
-    state *on_break, *on_continue; /* joined with the states that jump; on_continue may be NULL */
+    state *on_break, *on_continue; /* joined with the states that jump; NULL: a jump gives up */
     state on_return;
     bool has_result;
     value result;
