@@ -2,11 +2,11 @@
 /**
  * Finds the irregular reductions that may run in parallel, and the reasons why other loops may not.
  *
- * Pure functions from IR to facts. A fact describes the loop; the verdict draws the conclusion.
+ * Functions from IR to facts. A fact describes the loop; the verdict draws the conclusion.
  * The rule (docs/soundness.md): every access in the loop, through any name, to the memory of a
- * reduction array is an update by one commutative operator whose value is not used; subscripts,
- * contributions and conditions do not depend on that memory; nothing else is carried from one
- * iteration to another. Proved, or guarded at run time, or refused.
+ * reduction array is an update whose value is not used, with the order kept if updates do not
+ * commute; subscripts, contributions and conditions do not depend on that memory; nothing else is
+ * carried from one iteration to another. Proved, or guarded at run time, or refused.
  */
 #ifndef ANALYSIS_ANALYSIS_H
 #define ANALYSIS_ANALYSIS_H

@@ -234,7 +234,7 @@ static void search(loop_search *s, ir_node *node) {
         return;
     }
     /* Refused: this loop is reported if it is the innermost around one of its updates, not counting
-     * tiny inner loops, or if it is the reason for what became of an inner one. */
+     * tiny inner loops, or if it explains the verdict on an inner one. */
     if (verdict.loop &&
         (has_irregular(s->an, node, node, true) || !has_reported_inside(s, from, node) ||
          inner_is_accepted(s, from, &verdict) || inner_is_of_nest(s, from)))

@@ -42,8 +42,8 @@ static const char *word_in(converter *c, file_text file) {
     return text_has(file, threads) ? threads : NULL;
 }
 
-/* The first name in the file to which clang gives a meaning of its own although it uses the
- * compiler's predefined macros; NULL: none. */
+/* The first name in the file that is an operator of #if, or a macro of clang's that the compiler
+ * does not define; NULL: none. */
 static const char *parsers_word_in(converter *c, file_text file) {
     const char *at = file.text, *end = file.text + file.length;
     while (at != NULL && at < end) {

@@ -54,7 +54,7 @@ struct compiler_facts {
     map *parsers_own; /* then: names of clang's macros that the compiler does not define */
 };
 
-/** What is found in the program's own headers. */
+/** Facts found in the program's own headers. */
 struct header_facts {
     VECTOR(const char *) pragmas;
     VECTOR(ir_inclusion) inclusions;
@@ -110,7 +110,7 @@ typedef struct file_directives {
 /** The file's directives, scanned once; for the main file only after find_directives. */
 file_directives directives_of_file(converter *c, CXFile file);
 /** Is the header the compiler's or the C library's? A library's header in a folder given by
- * -isystem or the like counts as the program's own, unless it is installed in /usr. */
+ *  -isystem or the like counts as the program's own, unless it is in /usr outside of /usr/local. */
 bool is_of_system(converter *c, CXFile file);
 /** The text from the spelling of the location's token (perhaps in a macro's body or a header) to
  *  the end of its file; length 0 if there is none (pasted tokens, the command line). */

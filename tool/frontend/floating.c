@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Does the compiled part of this file have floating-point arithmetic? Under some options its bits
- * depend on what the compiler inlines, and that depends on how often a function is called. The
- * copies in a translated loop add calls, so even another loop's bits may change. */
+/* May the compiled part of this file have floating-point arithmetic? Under some options its bits
+ * depend on the compiler's inlining, which depends on the number of a function's calls. The copies
+ * in a translated loop add calls, so even another loop's bits may change. */
 #include "frontend/convert.h"
 
 static bool is_floating(const ir_type *type) {

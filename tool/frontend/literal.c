@@ -135,8 +135,8 @@ static ir_node *convert_floating(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* The whole number that the floating literal is; false: it is none, or some integer beside it has
- * no value of its own in the literal's type. */
+/* The floating literal's value as an integer. False: it is no integer, or too large for its type to
+ * represent all integers next to it. */
 static bool whole_value(const ir_node *literal, int64_t *value) {
     const ir_type *type = literal->type;
     if (literal->kind != IR_NUMBER || type->kind != IR_FLOATING || type->size > 8)
@@ -157,8 +157,8 @@ static bool type_holds(const ir_type *type, int64_t value) {
            (type->is_signed || value >= 0) && (type->size > 4 || value == (int32_t)value);
 }
 
-/* The integer becomes floating for the comparison, which keeps the order: a greater one does not
- * become less. Those beside the literal keep their values. So integers are compared as well. */
+/* C converts the integer to the floating type, which preserves the order of integers, and the
+ * values next to the literal's. So a comparison of integers has the same result. */
 void compare_as_integers(converter *c, ir_node *comparison) {
     for (unsigned side = 0; side < 2; side++) {
         ir_node *literal = comparison->children[side];
@@ -203,7 +203,7 @@ static ir_node *convert_string(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* 1.0iF, as complex.h has it for I; a GNU extension, written in this form. */
+/* 1.0iF, as complex.h defines I: a GNU extension, which __extension__ marks. */
 static ir_node *convert_imaginary(converter *c, CXCursor cursor) {
     file_text at = text_at(c, clang_getCursorLocation(cursor));
     const char *literal = number_text(c, at);

@@ -2,11 +2,11 @@
 /**
  * The intermediate representation: one translation unit as trees of one node type.
  *
- * The frontend builds it; all later stages only read it. All of it lives in one arena and is never
- * freed piecewise; names are stored once. It represents the source: implicit conversions are
- * dropped (types show them), parentheses are dropped (the printer restores the necessary ones),
- * typedefs are resolved. Anything that the frontend cannot represent exactly is an IR_OPAQUE node,
- * of which nothing may be assumed.
+ * The frontend builds it, in one arena. Later stages read it; they also add bodies of other
+ * files, remove dead branches, and exchange parts of a loop while they analyse it. It represents
+ * the source: implicit conversions are dropped (types show them), parentheses are dropped (the
+ * printer restores the necessary ones), typedefs are resolved. Anything that the frontend cannot
+ * represent exactly is an IR_OPAQUE node, about which nothing may be assumed.
  */
 #ifndef IR_IR_H
 #define IR_IR_H
@@ -104,9 +104,9 @@ struct ir_type {
     const ir_declared *tag; /* of records and enumerations. Not in the text form */
 };
 
-/** Ignores qualifiers, also those of pointees and elements. Compares the types themselves, not
- *  their spelling: an enumeration equals its integer type, long equals a long long of the same
- *  size. */
+/** Ignores qualifiers, also those of pointees and elements. An enumeration equals its integer type,
+ *  long equals a long long of the same size. Function types and IR_OTHER_TYPE are compared by their
+ *  spelling. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
 /** Real or complex; false for NULL. */
@@ -116,7 +116,7 @@ bool ir_type_is_floating(const ir_type *type);
 bool ir_type_never_wraps(const ir_type *type);
 /** An integer of at most 64 bits, neither volatile nor atomic; false for NULL. */
 bool ir_type_is_plain_integer(const ir_type *type);
-/** Does the type, or the type it points to, contain an array of variable length or of length 0? */
+/** Is the type, or one that it points to, an array of variable or unknown length? */
 bool ir_type_is_variably_modified(const ir_type *type);
 /** The element of an array of arrays ..., or the type itself. */
 const ir_type *ir_type_innermost(const ir_type *type);
@@ -226,7 +226,7 @@ typedef enum ir_kind {
     IR_CASE,        /* value, statement */
     IR_DEFAULT,     /* statement */
     IR_LABEL,       /* text; statement */
-    IR_GOTO,        /* text; computed: no text */
+    IR_GOTO,        /* text; computed: [address], no text */
     IR_RETURN,      /* [value] */
     IR_BREAK,
     IR_CONTINUE,
@@ -337,9 +337,9 @@ typedef struct ir_dialect {
                              itself */
     const char *refusing_option; /* an option that makes the program differ from this tree. NULL:
                                   * none */
-    const char *inexact_option;  /* an option by which the bits of floating-point operations (of
-                                  * which the file has some) depend on other code in the same
-                                  * compilation. NULL: none */
+    const char *inexact_option;  /* an option by which the bits of the file's floating-point
+                                  * operations depend on other code in the same compilation. NULL:
+                                  * none */
 } ir_dialect;
 
 /** An #include directive that names one of the program's own headers. */
@@ -416,9 +416,9 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
     return index < node->child_count ? node->children[index] : NULL;
 }
 bool ir_is_expression(const ir_node *node);
-/** An element, a member or what a pointer points to: a[i], s.m, p->m, *p. */
+/** An element, a member or a pointer's target: a[i], s.m, p->m, *p. */
 bool ir_is_access(const ir_node *node);
-/** Is it such an expression, and its value read? Of an array only the address is computed. */
+/** Is it such an expression, and no array? For an array only the address is computed. */
 bool ir_reads_memory(const ir_node *node);
 /** Is it &operand? */
 bool ir_is_address_of(const ir_node *node);
@@ -433,7 +433,7 @@ bool ir_is_loop(const ir_node *node);
 bool ir_is_jump(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
-/** Is the answer yes for `node` or for a node below it? */
+/** A question about one node. ir_any: is the answer yes for `node` or for a node below it? */
 typedef bool (*ir_question)(const ir_node *node);
 bool ir_any(const ir_node *node, ir_question question);
 /** Does the tree below `node`, including itself, contain that kind? */
@@ -444,15 +444,15 @@ bool ir_may_be_entered(const ir_node *node);
 bool ir_holds_case(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
-/** Does the body contain a `continue` of its own loop? */
+/** Does a loop's body contain a `continue` of that loop? */
 bool ir_continues(const ir_node *node);
-/** Does the body contain a return, a goto, or a break of its own loop? */
+/** Does a loop's body contain a return, a goto, or a break of that loop? */
 bool ir_leaves_loop(const ir_node *body);
 /** ({ ... }): opaque, but the block below it is complete. */
 bool ir_is_statement_expression(const ir_node *node);
 
-/** Does it stand for the lengths of a variable length array, at its declaration? They are its
- * children. */
+/** Is it the node for the lengths of a variable length array at its declaration? The lengths are
+ * its children. */
 bool ir_is_lengths(const ir_node *node);
 /** May evaluating the expression have a side effect: an assignment, a call, or an opaque part? */
 bool ir_has_effect(const ir_node *node);
@@ -482,8 +482,8 @@ void ir_finish_function(ir_function *function);
 void ir_count_references(ir_unit *unit);
 /** A copy of an expression with each parameter of `function` replaced by a copy of the argument
  *  given (NULL: left as it is); p->m with &x for p becomes x.m. An argument of another scalar type
- * than the parameter's is wrapped in an IR_CAST to it, as the call would convert it. The copy's
- * nodes have no ids and belong to no function; its root has no parent. */
+ *  than the parameter's is wrapped in an IR_CAST to it, as the call would convert it. The copy's
+ *  nodes have no ids and belong to no function; its root has no parent. */
 ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
                        ir_node *const *arguments);
 

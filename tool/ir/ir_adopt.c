@@ -54,8 +54,8 @@ static void note_records(adoption *d) {
 
 static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth);
 
-/* Compares types of two parses: records by their names and, to the given depth, by their
- * contents. */
+/* Compares types of two parses: records behind pointers by their names, others also by their
+ * contents. `depth`: the number of records around. */
 static bool types_alike(const ir_type *a, const ir_type *b, unsigned depth) {
     bool is_pointee = false;
     while (a && b && a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY)) {

@@ -135,7 +135,7 @@ static level least_of_operand(level outer, const ir_node *operand, level by_gram
     return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
 }
 
-/* clang takes 2 ^ 5 for an intended power and warns (-Wxor-used-as-pow), but not inside a macro. */
+/* clang takes 2 ^ 5 for an intended power and warns (-Wxor-used-as-pow): (2) ^ 5 avoids that. */
 static bool looks_like_power(const ir_node *node) {
     const ir_node *left = node->children[0];
     return node->op == IR_OP_BIT_XOR && left->kind == IR_NUMBER && left->text;

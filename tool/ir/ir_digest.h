@@ -7,8 +7,9 @@
 
 /**
  * A digest of the function's body, of the static functions that it calls, directly or indirectly,
- * of all types and objects in them, and of the dialect: of everything that an analysis may use.
- * Other functions enter with their declarations only. Offsets and macros do not count.
+ * of all types and objects in them, and of the dialect: of everything that the analysis uses.
+ * Other functions enter with their declarations only. Offsets, macros, strings, names of local
+ * variables, and arguments of functions that do not return do not count.
  */
 uint64_t ir_digest(const ir_unit *unit, const ir_function *function);
 

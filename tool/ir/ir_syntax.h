@@ -5,8 +5,8 @@
 
 #include "ir/ir.h"
 
-/** Are the two expressions equal? (`(*s).b` and `s->b` are.) They denote the same memory only if
- *  none of their operands changes in between. */
+/** Are the two expressions equal? (`(*s).b` and `s->b` are; calls and assignments never.) They
+ * denote the same memory only if none of their operands changes in between. */
 bool syntax_same(const ir_node *left, const ir_node *right);
 
 /** The offset after a statement's last byte, including its `;` if the text has one. */

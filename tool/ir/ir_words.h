@@ -19,8 +19,8 @@ extern const ir_scalar ir_scalars[];
 extern const unsigned ir_scalar_count;
 
 const ir_scalar *ir_scalar_named(const char *word, size_t length);
-/** The scalar with the type's spelling if its structure agrees, else the first with the same
- *  structure; the size may differ. NULL if none matches. */
+/** The scalar with the type's spelling if its structure agrees; else the first with the same
+ *  structure, if possible also with its size. NULL if none matches. */
 const ir_scalar *ir_scalar_of(const ir_type *type);
 /** "unsigned long"; NULL if the type is no scalar known by name. */
 const char *ir_scalar_spelling(const ir_type *type);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A growing string of bytes. Always ends in a 0 that is not counted. */
+/** A growing string of bytes. After the first append it ends in a 0 that is not counted. */
 #ifndef SUPPORT_BUFFER_H
 #define SUPPORT_BUFFER_H
 

@@ -360,7 +360,7 @@ counted_result counted_recognise_analysed(ir_node *loop) {
     return recognise_while(loop);
 }
 
-/* Rejects what only counted_recognise_analysed accepts. */
+/* Rejects loops that only counted_recognise_analysed accepts. */
 static counted_result restricted(counted_result result, const ir_node *loop, bool steps_others) {
     if (!result.is_counted)
         return result;

@@ -15,19 +15,19 @@ typedef struct counted_result {
 } counted_result;
 
 /** Brings a for or while loop into the form of counted_loop; rejects do loops. Checks that the
- *  bound's variables are not written in the loop, but not the memory it reads. */
+ *  bound's variables are not written in the loop, but not the memory that the bound reads. */
 counted_result counted_recognise(ir_node *loop);
 
 /** The same, but the header may set and step variables other than the counter. */
 counted_result counted_recognise_with_others(ir_node *loop);
 
-/** Accepts more loops than counted_recognise; the caller must check what they have in addition. The
- *  bound may call functions. The counter's address may be taken outside of the loop. The header may
- *  set a variable to the bound (bound_variable) and step others besides the counter. The step need
- *  not be constant (stride), and an unsigned counter may wrap around in a way that its final value
- *  shows. A do loop may have a first value that does not satisfy the condition, or a counter that
- *  never reaches the bound: its iterations then differ from those given by counter, bound and
- *  step. */
+/** Accepts more loops than counted_recognise; the caller must check their additional properties.
+ * The bound may call functions. The counter may be a pointer, its address may be taken outside of
+ * the loop, and the condition or the body may step it. The header may set a variable to the bound
+ *  (bound_variable) and step others besides the counter. The step need not be constant (stride),
+ * and an unsigned counter may wrap around if its final value shows it. A do loop may have a first
+ * value that does not satisfy the condition, or a counter that never reaches the bound: its
+ * iterations then differ from those given by counter, bound and step. */
 counted_result counted_recognise_analysed(ir_node *loop);
 
 /** v++, v += c, v = v + c and the like, with a constant: the variable and the step. */

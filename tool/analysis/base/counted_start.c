@@ -56,8 +56,8 @@ static bool mentions_declared(const ir_node *node, const ir_node *declaration) {
     return false;
 }
 
-/* for (int t = 0, last = n - 1; t <= last; t++): the value of `last`, which is constant, replaces
- * it. */
+/* for (int t = 0, last = n - 1; t <= last; t++): its value replaces `last`, which the loop must not
+ * change. */
 static bool split_declared_bound(const ir_node *loop, const ir_node *declaration,
                                  counted_loop *counted) {
     const ir_node *bound = counted->bound->kind == IR_VARIABLE

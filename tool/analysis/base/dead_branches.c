@@ -262,7 +262,7 @@ static bool constant_of(search *s, const ir_node *node, int64_t *value) {
 /* Does the branch change, or pass on, variables of the file? If a function of another file makes
  * the condition constant, only functions with translated loops, and the functions that these call,
  * check at run time that this definition is linked (imports.c). Any other function may execute the
- * branch after all, so the analysis must see what the branch does to these variables. */
+ * branch after all, so the analysis must see its effects on these variables. */
 static bool concerns_others(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)

@@ -135,7 +135,7 @@ ir_variable *expression_object(const ir_node *lvalue) {
     return lvalue->kind == IR_VARIABLE ? lvalue->variable : NULL;
 }
 
-/* A variable that the translator added appears as the pointer that it stands for. */
+/* A variable that the translator added is spelled as the pointer that it replaces. */
 static const char *original_spelling(const ir_node *node, void *memory) {
     return node->kind == IR_VARIABLE && node->variable->stands_for
                ? expression_text(memory, node->variable->stands_for)

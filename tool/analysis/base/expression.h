@@ -5,9 +5,9 @@
 
 #include "ir/ir.h"
 
-/** Equal trees: the same variables, fields, operators and constants in the same places; *p
- * equals p[0]. Whether
- *  their values are equal, the caller must know. Opaque nodes equal nothing. */
+/** Equal trees: the same variables, fields, operators and constants in the same places; *p equals
+ *  p[0]. The caller must know whether their values are equal. An opaque node, or a sizeof without a
+ *  value, equals only itself. */
 bool expression_same(const ir_node *a, const ir_node *b);
 
 /** The number of occurrences of the tree `part` in `node`, including itself. */
@@ -27,7 +27,7 @@ bool expression_mentions(const ir_node *node, const ir_variable *variable);
 bool expression_is_plain(const ir_node *node);
 
 /** Does evaluating it as a value, or (as_address) as &expression, read memory through a pointer or
- *  a subscript? Plain variables do not count. */
+ *  a subscript, or call a function? Plain variables do not count. */
 bool expression_has_load(const ir_node *node, bool as_address);
 
 /** Is it an lvalue of memory (a[i], *p, s->x, s.x, v), casts not counted? */
@@ -46,18 +46,18 @@ const char *expression_text(arena *a, const ir_node *node);
  *  inserted. */
 const ir_node *expression_place(const ir_node *node);
 
-/** Is this node itself arithmetic on floating or complex values (excluding comparisons, casts and
- *  loads)? */
+/** Is this node itself arithmetic on floating or complex values (excluding signs, comparisons,
+ * casts and loads)? */
 bool expression_is_floating_work(const ir_node *node);
 
 /** The target lvalue of an assignment, increment or decrement; NULL for declarators and nodes that
  *  write nothing. */
 const ir_node *expression_written(const ir_node *node);
 
-/** May evaluating this node itself trap or be undefined for some operands: calls, divisions,
- *  shifts, conversions of floating values, compound assignments? Sums and products of signed
- *  integers may overflow as well, but except in assignments they are generated in wrapping form
- *  (emit/base/wrapping.c). */
+/** May evaluating this node itself trap or be undefined for some operands: calls, divisions and
+ *  shifts, floating operations and conversions, compound assignments, differences of pointers? Sums
+ *  and products of signed integers may overflow as well, but except in assignments they are
+ *  generated in wrapping form (emit/base/wrapping.c). */
 bool expression_is_hazard(const ir_node *node);
 /** The same for the node and everything below it. Loads do not count. */
 bool expression_has_hazard(const ir_node *node);
@@ -72,11 +72,11 @@ ir_operator expression_negated(ir_operator op);
 /** Is it a local or parameter with automatic storage? */
 bool variable_is_automatic(const ir_variable *variable);
 
-/** Does evaluating the node evaluate each of its parts once? False for && and ||, and for an
- * operand of &. */
+/** Does evaluating the node evaluate each of its parts once? False for &&, || and &, for calls and
+ *  control statements. */
 bool expression_evaluates_parts(const ir_node *node);
 
-/** Is the node what a plain `=` assigns to? Then its value is not read there. */
+/** Is the node the target of a plain `=`? Then its value is not read there. */
 bool expression_is_assigned(const ir_node *node);
 
 #endif

@@ -61,8 +61,8 @@ typedef struct counted_loop {
                     * than 0 only for an integer incremented by 1 */
     int64_t step;  /* non-zero constant; its sign agrees with the comparison. For a pointer:
                     * bytes */
-    const ir_node *stride; /* an integer counter changes by step * stride, where step is 1 or -1: an
-                            * expression of invariant variables, at least 1, which generated code
+    const ir_node *stride; /* an integer counter changes by step * stride, with a step of 1 or -1:
+                            * an expression of invariant variables, at least 1, which generated code
                             * checks. NULL: the counter changes by `step` */
     const ir_node *body;   /* executed each iteration; in a while or do, the increment may be its
                             * last statement, `increment`, and not part of the copy */
@@ -100,7 +100,7 @@ typedef struct reduction_array {
     int64_t unit;           /* bytes of its largest row (update.row), or of the structure around
                              * it */
     bool is_scattered;      /* its elements are reached through pointers that iterations load from
-                             * `base`, as in rows[k][c], where `base` is rows. They may lie anywhere,
+                             * `base`, as in rows[k][c] with the base rows. They may lie anywhere,
                              * with other data between them; the order is kept */
     bool is_interleaved;    /* other data lie between these elements, or are read through base: no
                              * private copies are possible (runtime: REDCC_OTHER_TYPE) */
@@ -139,8 +139,8 @@ typedef struct counter_limit {
 
 /** A counted loop in a called function, around a read there. */
 typedef struct source_loop {
-    const ir_variable *counter;   /* a variable of the function. In the row, and in the loops
-                                   * inside of this one, it stands for each of its values */
+    const ir_variable *counter;   /* a variable of the function: rows are recorded for each of
+                                   * its values */
     const ir_node *lower, *bound; /* in the caller's terms */
     ir_operator comparison;       /* counter <comparison> bound */
     int64_t step;
@@ -156,10 +156,10 @@ typedef struct bound_term {
 
 enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
 
-/** Elements base[k] of which some are read: k lies between the minimum and the maximum of the
- * terms, provided that no condition, a floating value, is negative. Terms and conditions are
- * parameters, or are read through parameters; they are expressed by the caller's variables.
- * Generated code reads them even where the program would not. */
+/** Some elements base[k] are read, with k between the minimum and the maximum of the terms,
+ * provided that no condition, a floating value, is negative. Terms and conditions are constants,
+ * parameters, or read through parameters; they are expressed by the caller's variables. Generated
+ * code reads them even if the program would not. */
 typedef struct element_bounds {
     const ir_node *base; /* a pointer */
     const ir_type *element;

@@ -11,7 +11,7 @@ typedef enum library_standard {
     LIBRARY_C89,
     LIBRARY_C99,    /* reserved from C99 on (C17 7.1.3) */
     LIBRARY_GNU,    /* the C library's if a system header declares it */
-    LIBRARY_BUILTIN /* never: only __builtin_clz is the compiler's */
+    LIBRARY_BUILTIN /* never: only the name with __builtin_ is the compiler's */
 } library_standard;
 
 typedef struct library_function {
@@ -25,8 +25,8 @@ typedef struct library_function {
 
 enum { LIBRARY_NAME_SIZE = 32 };
 
-/** The name of the C library's function that a name of the compiler's or of fortified headers
- *  stands for: __builtin_memcpy, __memcpy_chk and __builtin___memcpy_chk are memcpy. Other names
+/** The C library's name of a function that the compiler or fortified headers name otherwise:
+ *  __builtin_memcpy, __memcpy_chk and __builtin___memcpy_chk are memcpy. Other names
  *  are copied. False: the name is longer than any that matters. */
 bool library_plain_name(const char *name, char plain[LIBRARY_NAME_SIZE]);
 
@@ -43,7 +43,7 @@ bool library_depends_on_thread(const ir_function *function);
 bool library_is_same_in_threads(const ir_function *function);
 
 /** Is it a function of MPI? Decided by its name, which the standard reserves (MPI 4.0, 2.5: MPI_,
- * PMPI_), without a body here. A program may allow only the thread that initialised MPI to call it
+ *  PMPI_), without a body here. A program may allow only the thread that initialised MPI to call it
  *  (MPI_THREAD_FUNNELED). */
 bool library_is_message_passing(const ir_function *function);
 

@@ -3,8 +3,8 @@
  * Loop-invariant pointers that a loop loads through other pointers, `s->atoms->U`.
  *
  * While such a loop is analysed and written, a variable that the translator adds replaces each of
- * them. Generated code loads the pointer before the loop, where the program might not read it: so
- * it causes no fault if the memory is unreadable (REDCC_LOAD). Then the original loop runs.
+ * them. Generated code loads the pointer before the loop, though the program might not read it.
+ * REDCC_LOAD therefore reads without a fault; if the memory is unreadable, the original loop runs.
  */
 #ifndef ANALYSIS_LOOP_LOADS_H
 #define ANALYSIS_LOOP_LOADS_H

@@ -34,7 +34,8 @@ uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number);
  */
 const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop);
 
-/** A name in the main file's text of this range by which a macro may make a pragma; NULL: none. */
+/** A name in this range of the main file that a macro may expand to a pragma, or "\\" if a name is
+ *  split over two lines; NULL: none. */
 const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range);
 
 /** The first compiled OpenMP directive in the function's text, or a macro that may make one; NULL:
@@ -46,7 +47,7 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
 /** May a copy of the text omit it, and the text that it excludes? True for conditional directives,
  *  once it is known which branch is compiled, and for pragmas that are not compiled or only make a
- *  loop faster; for OpenMP's if they are inactive, as without -fopenmp. */
+ *  loop faster; for OpenMP's if the compiler ignores them or redcc replaces them. */
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
 
 /** Is it an OpenMP directive in a compilation without OpenMP, which ignores it? */
@@ -57,15 +58,15 @@ bool directive_is_ignored_openmp(const ir_unit *unit, const ir_directive *d);
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
 /** In a compilation without OpenMP: does the function's text have OpenMP directives, or does the
- * file have any that would make variables thread-local? */
+ *  file have any that would make variables thread-local? */
 bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *function);
 
-/** Is the loop's translation valid only for compilations that use OpenMP if this one does? In the
- *  others the original loop is compiled. */
+/** Is the loop's translation valid only for compilations that, like this one, use OpenMP or do not?
+ *  In the others the original loop is compiled. */
 bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *function,
                                  const ir_node *loop);
 
-/** #pragma omp, or #ifdef _OPENMP. */
+/** Does its text contain an OpenMP pragma, or _OPENMP? */
 bool directive_is_openmp(const ir_directive *d);
 
 static inline bool directive_is_conditional(const ir_directive *d) {

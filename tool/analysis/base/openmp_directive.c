@@ -275,8 +275,8 @@ static const char *after_definition(const char *text, const char *word, const ch
     return at ? after(at, name) : NULL;
 }
 
-/* The number that the macro stands for at `place`. The file must define it once, as a number, and
- * include nothing in between. NULL: it stands for other text, or for an unknown one. */
+/* The number to which the macro expands at `place`, if its last definition in the file is a number
+ * and nothing has been included since. NULL: unknown. */
 static const char *number_of_macro(arena *a, const ir_unit *unit, const char *name,
                                    uint32_t place) {
     const char *value = NULL;

@@ -8,7 +8,7 @@
 /** Is it v++ or v--, of a variable? */
 bool is_step_afterwards(const ir_node *node);
 
-/** The only write of the variable in `body`: a post-increment whose value is used. It is executed
+/** The only write of the variable in `body`: a v++ or v-- whose value is used. It is executed
  *  once whenever the body is, except after jumps, and the body does not name the variable after it.
  *  NULL: none. */
 const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable);

@@ -11,7 +11,7 @@ typedef struct unit_text unit_text;
 /** Allocated in the arena; borrows the unit. */
 unit_text *unit_text_new(arena *a, const ir_unit *unit);
 
-/** A directive, of the file or of a header, that switches FENV_ACCESS on, or NULL. */
+/** A directive, of the file or of a header, that may switch FENV_ACCESS on, or NULL. */
 const char *unit_text_fenv_access(const unit_text *text);
 
 /** May parts of the file be compiled with other options than the macros at its beginning show? */

@@ -18,8 +18,8 @@ const ir_node *slice_place(const loop_analysis *j, const ir_node *node);
 bool slice_is_ahead(const ir_node *node, const ir_node *place);
 
 /** May this expression be evaluated when the program does not: no loads, no calls, no operation
- *  that may trap or be undefined (divisions, conversions of floating values, shifts)? Overflow of
- *  signed sums and products is left to code generation: emit/base/wrapping.c. */
+ *  that may trap or be undefined (expression_is_hazard)? Overflow of signed sums and products is
+ * left to code generation: emit/base/wrapping.c. */
 bool slice_is_safe_anywhere(const ir_node *row);
 
 /** Are all bounds of the loops constants? */

@@ -97,7 +97,6 @@ int64_t value_pointee_size(const ir_type *type) {
     return target->kind == IR_VOID || target->kind == IR_FUNCTION_TYPE ? 1 : target->size;
 }
 
-/* pointer + number * element */
 value value_move(value pointer, value number, int64_t element, bool is_back) {
     int64_t bytes;
     value result = {VALUE_POINTER, false, 0};
