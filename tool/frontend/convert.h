@@ -68,7 +68,7 @@ typedef struct converter {
     CXFile main_file;
     struct converted converted;
     struct expansions expansions;
-    bool has_begun; /* a macro in the main file was visited: earlier ones precede the file */
+    bool has_begun; /* the visit of macros has reached the main file: earlier ones precede it */
     struct compiler_facts compiler;
     struct reference_table *references;
     bool has_assembler;           /* `asm` between functions: it may define names of objects */
@@ -230,7 +230,7 @@ void find_own_bytes(converter *c, ir_node *body);
 /** Orders and numbers functions and variables, finishes bodies, finds address_taken. */
 void finish_unit(converter *c);
 
-/** Does the compiled part of a finished unit have floating-point arithmetic? */
+/** May the compiled part of a finished unit have floating-point arithmetic? */
 bool has_floating_work(const ir_unit *unit);
 
 #endif

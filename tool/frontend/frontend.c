@@ -143,7 +143,7 @@ static bool is_plain_operator(CXCursor cursor) {
            (binary >= CXBinaryOperator_Mul && binary <= CXBinaryOperator_LOr);
 }
 
-/* Any operation other than arithmetic on variables and constants. */
+/* Finds an operation other than arithmetic on variables and constants. */
 static enum CXChildVisitResult find_effect(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
     bool *is_found = data;

@@ -32,8 +32,8 @@ frontend_folders frontend_header_folders(arena *a);
 /**
  * Parses `src` with the given compiler flags (of a gcc or clang command line; flags that libclang
  * must not see are removed here). All results are allocated in the arena. Functions of the main
- * file get bodies. Those of headers do if a converted function uses them, or if they may have
- * loops and the header is the program's own. A function in which the
+ * file get bodies. Those of headers do if a converted function uses them; or, in the program's
+ * own headers, if they may have loops and may be called. A function in which the
  * compiler reports an error has has_errors set: ill-formed statements vanish from libclang's tree,
  * so nothing in it may be analysed.
  */

@@ -88,7 +88,7 @@ struct ir_record {
     const ir_field *fields;
 };
 
-/** A canonical type. Equal unqualified types of one unit are equal by ir_type_equal. */
+/** A canonical type. Equal types may be different objects: ir_type_equal compares them. */
 struct ir_type {
     ir_type_kind kind;
     bool is_signed;    /* integers */
@@ -166,7 +166,7 @@ typedef struct ir_linkage {
     bool is_renamed;         /* it has another symbol name, so its C name identifies nothing */
     bool is_interposable;    /* is_weak, because a shared object exports it: the program may define
                               * the name, too. Not in the text form */
-    bool is_hidden;          /* no other object file can refer to it or replace it */
+    bool is_hidden;          /* no other shared object can refer to it or replace it */
     const ir_import *import; /* another file defines the body (ir_adopt.h); NULL: this unit does.
                               * Not in the text form */
 } ir_linkage;
@@ -355,12 +355,11 @@ typedef struct ir_text {
     bool includes_itself;      /* the file's text may be compiled several times */
     const char *compiler_word; /* a name in the program's own text that may test for the compiler:
                                 * "__clang"; NULL: none */
-    const char *unseen_word;   /* a name unknown to the parser but perhaps not to a compiler, which
-                                * would compile another tree. NULL: none */
-    bool names_optimize;       /* the attribute occurs somewhere in the program's own text: no
-                                * declaration in the tree shows it */
-    bool names_target;  /* the same for the attributes target and target_clones; also in a macro of
-                         * the options */
+    const char *unseen_word;   /* a name or construct that a compiler may read differently than the
+                                * parser, so that it compiles another tree. NULL: none */
+    bool names_optimize;       /* the attribute may occur in the program's own text, or a macro of
+                                * the options: no declaration in the tree shows it */
+    bool names_target;         /* the same for the attributes target and target_clones */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
     unsigned header_pragma_count; /* of the program's own headers, as text */

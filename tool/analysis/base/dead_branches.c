@@ -2,10 +2,10 @@
 /*
  * A condition is constant if it consists of numbers, of calls of functions that return one
  * constant, and of local variables whose value is known. To find a variable's value, the search
- * goes back from the `if` through the blocks around it, up to the innermost loop. The first
- * statement found that may change the variable must assign it, and no label may lie between. Only
- * values of a signed byte are followed: each signed type represents all of them, each unsigned type
- * those that are not negative.
+ * goes back from the `if` through the blocks around it, up to the innermost loop or switch. The
+ * first statement found that may change the variable must assign it, and no label may lie between.
+ * Only values of a signed byte are followed: each signed type represents all of them, each unsigned
+ * type those that are not negative.
  */
 #include "analysis/base/dead_branches.h"
 

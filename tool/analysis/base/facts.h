@@ -124,8 +124,8 @@ typedef struct reduction_update {
 
 typedef enum source_extent {
     EXTENT_INVARIANT, /* one address for all iterations: sizeof(row) bytes at &row */
-    EXTENT_AFFINE,    /* monotonic in the counter: from &row in the first iteration to the end of
-                       * row in the last; row mentions only the counter and invariants */
+    EXTENT_AFFINE,    /* monotonic in the counter: it ends with the rows of the first and of the
+                       * last iteration; row mentions only the counter and invariants */
     EXTENT_TOUCHED,   /* the inspector records it, at the place of `row` in the slice */
     EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
@@ -287,8 +287,8 @@ typedef struct distribution {
 
 enum { MOST_STEPPED = 4 };
 
-/** A statement that leaves the loop for good if its condition holds (loop_exits.h). While the loop
- *  is analysed and written, `rest` replaces it: the iteration ends there. */
+/** A statement that leaves the loop, or prints, if its condition holds (loop_exits.h). While the
+ * loop is analysed and written, `rest` replaces it: the iteration ends there. */
 typedef struct loop_exit {
     ir_node *statement;
     ir_node *rest;
@@ -360,7 +360,7 @@ typedef struct loop_span {
 
 /** A read that prevents keeping a plan of the loop. */
 typedef struct unkept_read {
-    const char *name; /* of the memory read; NULL: plans are kept, according to the analysis */
+    const char *name; /* of the memory read; NULL: there is no such read */
     ir_range range;   /* range of the read, or of the call that makes it */
 } unkept_read;
 

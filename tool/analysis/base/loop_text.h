@@ -61,8 +61,8 @@ const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *l
  *  file have any that would make variables thread-local? */
 bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *function);
 
-/** Is the loop's translation valid only for compilations that, like this one, use OpenMP or do not?
- *  In the others the original loop is compiled. */
+/** Does the loop's translation depend on whether a compilation uses OpenMP? If one differs from
+ * this one in that, it compiles the original loop. */
 bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *function,
                                  const ir_node *loop);
 

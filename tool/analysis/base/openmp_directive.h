@@ -26,7 +26,7 @@ typedef enum openmp_clause_kind {
     OPENMP_OF_REGION,   /* proc_bind, copyin, allocate: of the threads, not of the loop */
     OPENMP_COLLAPSE,    /* collapse(2): openmp_nest.h */
     OPENMP_NOWAIT,      /* of `for` */
-    OPENMP_OTHER_CLAUSE /* what only the directive itself can do */
+    OPENMP_OTHER_CLAUSE /* only the directive itself has its effect */
 } openmp_clause_kind;
 
 /** One name of a clause's list, or the whole of a clause that has none. */

@@ -56,7 +56,7 @@ typedef struct fixed_blocks {
 /** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop);
 
-/** Does the file have code that devices execute as well, which cannot use the runtime? */
+/** May the file have code that devices execute as well, which cannot use the runtime? */
 bool openmp_has_devices(const ir_unit *unit);
 
 /** Does the variable have the same value after the loop as before, because a `parallel for` above

@@ -13,7 +13,7 @@ typedef enum conflict_kind {
     CONFLICT_NONE,    /* each iteration has separate elements, or all have the same few: sums */
     CONFLICT_REGULAR, /* iterations may update one element, in a nest of loops with invariant bounds
                        * and subscripts that are affine in their counters */
-    CONFLICT_SHARED   /* a table, a loaded pointer, or a variable range decides it */
+    CONFLICT_SHARED   /* a table, a loaded pointer, or a variable range selects the element */
 } conflict_kind;
 
 /** For an lvalue that is updated in the loop. Rows of matrices, a[i * n + j] and a[i][j], count as

@@ -241,8 +241,8 @@ static reason check_lower(const loop_analysis *j) {
 }
 
 /* A bound is computed once; the sequential loop computes it before each iteration. So it may call
- * only functions that read and whose results are repeatable. That the memory they read does not
- * change is shown as for all reads of the loop. */
+ * only functions that write nothing and whose results are repeatable. That the memory they read
+ * does not change is shown as for all reads of the loop. */
 static reason check_bound(const loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->counted.bound, &list);

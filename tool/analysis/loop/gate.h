@@ -5,7 +5,7 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** May the loop's text be rewritten at all, and is it left only at its end? */
+/** Reasons against rewriting the loop's text, and jumps by which control leaves or enters it. */
 reason check_text(const loop_analysis *j);
 reason check_jumps(const loop_analysis *j);
 

@@ -28,7 +28,7 @@ typedef struct analyser {
 typedef enum access_class {
     CLASS_OPEN,      /* not decided */
     CLASS_SCALAR,    /* of a private, stepped or unchanging variable; a store to an own element */
-    CLASS_REDUCTION, /* an update of arrays[number] */
+    CLASS_REDUCTION, /* an update of the array number `array` */
     CLASS_SELF,      /* a read, in an update's statement, of the updated element; all accesses to a
                       * scalar that the loop accumulates into */
     CLASS_FORWARDED, /* a read of a value that the iteration has stored, or of an own element */
@@ -101,7 +101,7 @@ typedef struct loop_analysis {
 /** A copy whose accesses and lists may be changed and extended, while `known` is unchanged. */
 loop_analysis analysis_copy(const loop_analysis *known);
 
-/** A hash of the accesses and list items of the known facts. 0 if NDEBUG is defined. */
+/** A hash of the known facts, with all accesses and list items. 0 if NDEBUG is defined. */
 uint64_t analysis_fingerprint(const loop_analysis *known);
 
 /** Asserts that a check has not changed its input: `before` is the fingerprint before the check.

@@ -281,7 +281,7 @@ static bool is_inside(const ir_node *subscript, const ir_type *array) {
            high < array->count;
 }
 
-/* Is it an element, *p, or a member of these, so that it is not the whole object? */
+/* Is it an element, *p, or a member of these, and not a whole object? */
 static bool is_selected(const ir_node *lvalue) {
     while (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW))
         lvalue = lvalue->children[0];

@@ -17,8 +17,8 @@ typedef struct access {
     bool is_exact; /* lvalue can be spelled before the statement, and its bytes are all that is
                     * accessed; else only its base is known */
     const ir_type *type; /* of the values accessed */
-    bool is_presumed;    /* the user asserts that it is disjoint from the arrays that the loop
-                          * accumulates into */
+    bool is_presumed; /* the user, or another file's analysis, asserts that it is disjoint from the
+                       * arrays that the loop accumulates into */
     bool is_conditional; /* not executed each time the piece is */
     bool is_behind;      /* a condition of the callee decides whether it is made or, with loops, in
                           * which of their iterations */
@@ -45,7 +45,7 @@ typedef struct access_list {
     VECTOR(access_problem) problems;
     bool has_floating_work;     /* floating-point arithmetic is done, here or in callees */
     bool has_unrepeatable_work; /* a call that a second call may not reproduce bit for bit: its
-                                 * function has no body, or approximates */
+                                 * function has no body here, approximates, or has attributes */
     bool may_set_errno;         /* a mathematical function that sets errno is called */
     const char *errno_setter;
     VECTOR(const ir_node *)

@@ -147,7 +147,7 @@ bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node) {
 
 /* ---- variables set once ---------------------------------------------------------------------- */
 
-/* The statement of a block that holds only `place`; NULL: it is elsewhere. */
+/* The statement or declaration around `place`, if it is directly in a block; or NULL. */
 static const ir_node *statement_in_block(const ir_node *place) {
     const ir_node *statement = place->parent;
     return statement && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATION) &&

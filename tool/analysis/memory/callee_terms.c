@@ -303,7 +303,7 @@ static void add_callee_loops(rewriting *r, loop_list *list) {
 }
 
 /* Can the loops' rows be recorded? A loop that may end early must be the innermost one, and access
- * consecutive elements: they are recorded as one range, of which the function reads the first. */
+ * consecutive elements: they are recorded as one range, and the function reads its beginning. */
 static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&

@@ -9,7 +9,7 @@
 const char *exported_word(exported_kind kind);
 
 /**
- * May the file export facts about this definition? It must have external linkage, none of the
+ * May other files of the program adopt this definition? It must have external linkage, none of the
  * properties that callers in other files cannot see, and a text that determines the compiled code.
  */
 bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *function);

@@ -24,7 +24,7 @@ static bool is_count_up(const ir_node *node, const ir_variable *cursor) {
            node->children[0]->kind == IR_VARIABLE && node->children[0]->variable == cursor;
 }
 
-/* Does the loop, apart from its condition, only increment the cursor? */
+/* Do the loop's body and increment only increment the cursor? */
 static bool only_counts_up(const ir_node *loop, const ir_variable *cursor) {
     if (loop->kind == IR_WHILE)
         return is_count_up(loop->children[1], cursor);

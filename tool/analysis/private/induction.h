@@ -13,8 +13,8 @@
 bool induction_take(loop_analysis *own, const ir_variable *variable);
 
 /** Is the step, `v++` within `statement`, executed once in each iteration, and is v, which changes
- *  only by name, not used otherwise in the statement, later in the iteration, or at the beginning
- * of the next one? Then the iteration may omit the statement. */
+ *  only by name, not used otherwise in the statement, later in the iteration, or by the next one?
+ *  Then the iteration may omit the statement. */
 bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step);
 
 typedef struct step_result {

@@ -12,7 +12,7 @@ typedef struct private_check {
     bool counter_is_live_after;
 } private_check;
 
-/** Live-out private variables, and other variables of the loop's text. */
+/** Decides how private variables get their last values; lists the other variables that are read. */
 private_check check_privates(const loop_analysis *j);
 
 #endif

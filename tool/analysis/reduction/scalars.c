@@ -50,7 +50,7 @@ static bool is_narrow_floating(const ir_type *type) {
 }
 
 /* Sets the type of the operation, to which the operand is converted; false: it has no operand_type.
- * Of an integer operand only the value modulo 2^64 matters. */
+ * Only an integer's value modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;

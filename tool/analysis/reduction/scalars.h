@@ -10,8 +10,8 @@
  *  applied in order after the loop. False: it is no such update, and nothing is changed. */
 bool scalar_take_update(loop_analysis *j, loop_access *write);
 
-/** Once all writes are classified: do only its updates access each scalar, and may an iteration
- *  combine their operands? Accesses that a guard compares are permitted. */
+/** Once all writes are classified: do only a scalar's updates access it, and may an iteration
+ * combine their operands? Accesses that a guard compares are permitted. */
 reason check_scalars(const loop_analysis *j);
 
 #endif

@@ -77,7 +77,7 @@ static bool decides_subscripts(const loop_analysis *j, const loop_access *store)
     return false;
 }
 
-/* A read of the stored memory by a statement that does not write what it reads; NULL: none. */
+/* A read of the stored memory by a statement that does not write the element read; NULL: none. */
 static const loop_access *other_read(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
