@@ -173,7 +173,6 @@ static bool has_inspected(const loop_search *s, unsigned from) {
     return false;
 }
 
-/* Does the loop belong to a system header? */
 static bool is_in_system_header(const loop_search *s, const ir_node *loop) {
     return !s->function->is_in_main_file && !ir_position_in_header(s->an->unit, loop);
 }

@@ -310,8 +310,8 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* If `found` is refused for a pointer that is read only under conditions, or whose target must be
- * known when the loop begins: analyses the loop with variables in place of its pointers. */
+/* If `found` is refused for a pointer read only under conditions, or whose target must be known
+ * when the loop begins: analyses the loop with variables replacing its pointers. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     if (found.kind != VERDICT_REFUSE ||

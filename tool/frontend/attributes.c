@@ -63,7 +63,7 @@ bool has_may_alias(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* Is the attribute harmless? Its name may be spelled in a macro's definition. */
+/* The attribute's name may be spelled in a macro's definition. */
 static bool is_harmless(CXCursor attribute) {
     CXFile file;
     unsigned offset;

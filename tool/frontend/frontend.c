@@ -300,7 +300,6 @@ static bool names_may_alias(const char *text) {
     return false;
 }
 
-/* Applies the flags' effects on the program as a whole. */
 static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     if (chosen->unseen != NULL)
         unit->text.unseen_word = chosen->unseen;

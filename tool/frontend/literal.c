@@ -151,7 +151,6 @@ static bool whole_value(const ir_node *literal, int64_t *value) {
     return number == (double)*value;
 }
 
-/* Can the type represent the value? */
 static bool type_holds(const ir_type *type, int64_t value) {
     return ir_type_is_plain_integer(type) && !type->is_const && type->size >= 4 &&
            (type->is_signed || value >= 0) && (type->size > 4 || value == (int32_t)value);

@@ -9,7 +9,6 @@ static bool is_inside(ir_range inner, ir_range outer) {
     return outer.begin <= inner.begin && inner.end <= outer.end && inner.begin < inner.end;
 }
 
-/* Does any other child of the parent share bytes with this one? */
 static bool overlaps_sibling(const ir_node *parent, unsigned index) {
     ir_range own = parent->children[index]->range;
     for (unsigned i = 0; i < parent->child_count; i++) {

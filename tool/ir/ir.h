@@ -2,11 +2,11 @@
 /**
  * The intermediate representation: one translation unit as trees of one node type.
  *
- * The frontend builds it, in one arena. Later stages read it; they also add bodies of other
- * files, remove dead branches, and exchange parts of a loop while they analyse it. It represents
- * the source: implicit conversions are dropped (types show them), parentheses are dropped (the
- * printer restores the necessary ones), typedefs are resolved. Anything that the frontend cannot
- * represent exactly is an IR_OPAQUE node, about which nothing may be assumed.
+ * The frontend builds it, in one arena. Later stages read it; they also add bodies of other files,
+ * remove dead branches, and exchange parts of a loop while they analyse it. It represents the
+ * source: implicit conversions (types show them) and parentheses (the printer restores the
+ * necessary ones) are dropped, typedefs are resolved. Anything that the frontend cannot represent
+ * exactly is an IR_OPAQUE node, about which nothing may be assumed.
  */
 #ifndef IR_IR_H
 #define IR_IR_H

@@ -212,7 +212,6 @@ static bool is_passed_as(const ir_type *own, const ir_type *other) {
     return x && y && !x->is_complete && x->name[0] && strcmp(x->name, y->name) == 0;
 }
 
-/* Do caller and definition agree on arguments and result? */
 static bool agrees(adoption *d, const ir_function *own, const ir_function *other) {
     if (own->parameter_count != other->parameter_count || own->is_variadic || own->is_noreturn ||
         other->is_noreturn || own->has_other_attributes || own->linkage.is_renamed ||

@@ -153,7 +153,6 @@ static bool is_plain_but_for_calls(const ir_node *node) {
     return true;
 }
 
-/* Does the condition both step and compare the counter? */
 static bool compares_while_stepping(const counted_loop *loop) {
     return loop->steps_first || loop->ends_below;
 }

@@ -21,13 +21,13 @@ counted_result counted_recognise(ir_node *loop);
 /** The same, but the header may set and step variables other than the counter. */
 counted_result counted_recognise_with_others(ir_node *loop);
 
-/** Accepts more loops than counted_recognise; the caller must check their additional properties.
- * The bound may call functions. The counter may be a pointer, its address may be taken outside of
- * the loop, and the condition or the body may step it. The header may set a variable to the bound
- *  (bound_variable) and step others besides the counter. The step need not be constant (stride),
- * and an unsigned counter may wrap around if its final value shows it. A do loop may have a first
- * value that does not satisfy the condition, or a counter that never reaches the bound: its
- * iterations then differ from those given by counter, bound and step. */
+/** Accepts more loops; the caller must check their additional properties. The bound may call
+ *  functions. The counter may be a pointer, have its address taken outside of the loop, and be
+ *  stepped by the condition or the body. The header may set a variable to the bound
+ *  (bound_variable) and step others besides the counter. The step need not be constant (stride); an
+ *  unsigned counter may wrap around if its final value shows it. A do loop's first value may fail
+ *  the condition, or its counter never reach the bound: its iterations then differ from those given
+ *  by counter, bound and step. */
 counted_result counted_recognise_analysed(ir_node *loop);
 
 /** v++, v += c, v = v + c and the like, with a constant: the variable and the step. */

@@ -2,8 +2,8 @@
 /*
  * The condition steps the counter, and compares it after the step (--i >= 0) or before (i-- > 0).
  * Either way the counter in the first iteration is the first value plus one step. For integers
- * `i-- > n` is true exactly if i >= n after the step. In a do loop all this begins with the second
- * iteration; in the first one the counter has the first value.
+ * `i-- > n` is true exactly if i >= n after the step. In a do loop this begins with the second
+ * iteration; in the first the counter has the first value.
  */
 #include "analysis/base/counted_condition.h"
 

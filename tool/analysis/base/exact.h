@@ -26,8 +26,8 @@ bool exact_needs_settled(const ir_node *node, const ir_node *operand);
 /** Must both ends be checked before a subscript may be assumed to be monotonic? */
 bool exact_may_wrap(const ir_node *subscript, const ir_variable *counter);
 
-/** Does the subscript subtract or negate with the counter, so that its mathematical value may be
- *  negative near the loop's beginning? */
+/** May a subtraction or negation with the counter make the subscript's mathematical value negative
+ *  near the loop's beginning? */
 bool exact_may_fall_below(const ir_node *subscript, const ir_variable *counter);
 
 #endif

@@ -55,9 +55,9 @@ bool expression_is_floating_work(const ir_node *node);
 const ir_node *expression_written(const ir_node *node);
 
 /** May evaluating this node itself trap or be undefined for some operands: calls, divisions and
- *  shifts, floating operations and conversions, compound assignments, differences of pointers? Sums
- *  and products of signed integers may overflow as well, but except in assignments they are
- *  generated in wrapping form (emit/base/wrapping.c). */
+ *  shifts, floating operations and conversions, compound assignments, differences of pointers?
+ *  Signed sums and products may overflow, too, but except in assignments they are generated in
+ *  wrapping form (emit/base/wrapping.c). */
 bool expression_is_hazard(const ir_node *node);
 /** The same for the node and everything below it. Loads do not count. */
 bool expression_has_hazard(const ir_node *node);

@@ -52,7 +52,6 @@ const ir_node *assertion_condition(const ir_node *node) {
 
 /* ---- branches that leave --------------------------------------------------------------------- */
 
-/* Does a statement that is executed always leave the loop? */
 static bool always_leaves(const ir_node *node, bool break_leaves) {
     switch (node->kind) {
     case IR_RETURN:

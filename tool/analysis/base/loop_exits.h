@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Statements by which an iteration leaves the loop for good: an assertion, or an `if` whose branch
- * ends in exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or
- * changes other state, is treated in the same way although the loop continues, because its output
- * must come in the loop's order.
+ * Statements by which an iteration leaves the loop: an assertion, or an `if` whose branch ends in
+ * exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or changes other
+ * state, is treated likewise although the loop continues, because its output must come in the
+ * loop's order.
  *
- * The loop is analysed as if none of them left it. Before any iteration is executed in parallel,
- * one thread evaluates their conditions for all iterations, in order and up to the first that holds
- * (REDCC_DRY_RUN). If one holds, nothing has been executed, and the original loop runs. So the
- * branches are never executed in parallel, and not analysed.
+ * The loop is analysed as if none left it. Before iterations run in parallel, one thread evaluates
+ * their conditions in order, up to the first that holds (REDCC_DRY_RUN). If one holds, nothing has
+ * been executed, and the original loop runs. So the branches never run in parallel, and are not
+ * analysed.
  */
 #ifndef ANALYSIS_LOOP_EXITS_H
 #define ANALYSIS_LOOP_EXITS_H

@@ -2,9 +2,9 @@
 /**
  * Loop-invariant pointers that a loop loads through other pointers, `s->atoms->U`.
  *
- * While such a loop is analysed and written, a variable that the translator adds replaces each of
- * them. Generated code loads the pointer before the loop, though the program might not read it.
- * REDCC_LOAD therefore reads without a fault; if the memory is unreadable, the original loop runs.
+ * While such a loop is analysed and written, an added variable replaces each pointer. Generated
+ * code loads it before the loop, though the program might not. REDCC_LOAD therefore reads without a
+ * fault; if the memory is unreadable, the original loop runs.
  */
 #ifndef ANALYSIS_LOOP_LOADS_H
 #define ANALYSIS_LOOP_LOADS_H

@@ -58,7 +58,6 @@ static unsigned first_of_group(const ir_unit *unit, unsigned last) {
     }
 }
 
-/* Does the group compile nothing but pragmas? */
 static bool compiles_only_pragmas(const ir_unit *unit, unsigned first, unsigned last) {
     for (unsigned i = first; i <= last; i++) {
         const ir_directive *d = &unit->directives[i];

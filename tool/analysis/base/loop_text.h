@@ -6,10 +6,9 @@
 #include "ir/ir.h"
 
 /**
- * The beginning of the loop's text. It includes the pragmas directly above it, and groups of
- * conditional directives (#if to #endif) there that compile nothing but pragmas: they apply to the
- * loop, in this compilation or in another. Pragmas made by macros are not included, nor is `omp
- * barrier`.
+ * The beginning of the loop's text, with the pragmas directly above it, and groups of conditional
+ * directives (#if to #endif) there that compile nothing but pragmas: they apply to the loop, in
+ * this compilation or another. Excluded are pragmas made by macros, and `omp barrier`.
  */
 uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 

@@ -41,7 +41,6 @@ static const char *only_by_directive(arena *a, const openmp_directive *read) {
     return NULL;
 }
 
-/* Records the directive above the loop. */
 static void note_above(arena *a, openmp_loop *result, const openmp_directive *read,
                        const ir_directive *d) {
     if (read->construct > OPENMP_FOR)

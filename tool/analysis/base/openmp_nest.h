@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Nested loops that one directive distributes: `collapse(n)`. The clause says which iterations are
- * shared out together. Executed by one thread, they have the order of the nest as it is written.
+ * Nested loops that one directive distributes: `collapse(n)`. One thread executes their iterations
+ * in the order of the nest as written.
  */
 #ifndef ANALYSIS_OPENMP_NEST_H
 #define ANALYSIS_OPENMP_NEST_H
@@ -22,8 +22,8 @@ const ir_variable *openmp_counter(const ir_node *loop);
 /** The loop that is all of the loop's body; NULL: there is none. */
 const ir_node *openmp_inner_loop(const ir_node *loop);
 
-/** The text above a loop around this one that may need this loop as it is written, since it is
- *  about both: a directive, or a macro that may make one. NULL: there is none. */
+/** The text above a loop around this one that concerns both, and so may need this loop as written:
+ *  a directive, or a macro that may make one; or NULL. */
 const char *openmp_about_nest(arena *a, const ir_unit *unit, const ir_node *loop);
 
 #endif

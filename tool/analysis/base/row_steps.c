@@ -116,7 +116,7 @@ static bool same_but_for_counters(const ir_node *x, const ir_node *y, unsigned c
     return true;
 }
 
-/* Do the loops have the same bounds and steps? Their counters may differ. */
+/* The loops' counters may differ. */
 static bool source_loops_equal(unsigned count, const source_loop *a, unsigned other_count,
                                const source_loop *b) {
     for (unsigned i = 0; count == other_count && i < count; i++)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Selects the updates that make a loop a candidate: those of an element that two iterations may
- * update, by a simple criterion. This decides only which loops are analysed; the rest of the
- * analysis proves what may be done.
+ * update, by a simple criterion. This decides only which loops are analysed; other checks prove
+ * what may be done.
  */
 #ifndef ANALYSIS_CONFLICT_H
 #define ANALYSIS_CONFLICT_H

@@ -71,7 +71,6 @@ static void add_condition(const loop_analysis *j, limit_list *list, const ir_nod
     }
 }
 
-/* Is the statement `continue`, perhaps in braces? */
 static bool is_continue(const ir_node *statement) {
     while (statement->kind == IR_BLOCK && statement->child_count == 1)
         statement = statement->children[0];

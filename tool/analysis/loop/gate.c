@@ -202,7 +202,7 @@ static bool is_errno(const ir_node *node) {
            strcmp(node->children[0]->function->name, "__errno_location") == 0;
 }
 
-/* Does any function of the file read errno? A caller of the loop's function may do so. */
+/* Does any function of the file read errno? The loop's caller may. */
 static bool file_reads_errno(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && ir_any(unit->functions[i]->body, is_errno))

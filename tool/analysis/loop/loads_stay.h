@@ -5,8 +5,8 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** True if nothing in the loop writes the pointers, or those that they are loaded through, under
- * any name. This is proved, not guarded. */
+/** True: nothing in the loop writes the pointers, or those they are loaded through, under any name.
+ *  Proved, not guarded. */
 bool loads_stay(const analyser *an, const ir_node *loop, const loop_loads *loads);
 
 #endif

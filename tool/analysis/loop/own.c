@@ -122,7 +122,6 @@ static bool stores_alone(const loop_analysis *j, const ir_node *element) {
     return true;
 }
 
-/* Is its address taken? */
 static bool takes_its_address(const ir_node *node, const ir_node *element) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
         expression_same(node->children[0], element))

@@ -19,7 +19,6 @@ static bool continues_before(const ir_node *part, const ir_node *node) {
     return false;
 }
 
-/* Is there a `return` before `node`? */
 static bool returns_before(const ir_node *part, const ir_node *node) {
     if (part->id >= node->id)
         return false;

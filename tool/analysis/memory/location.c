@@ -166,7 +166,6 @@ static location cast_location(const query *q, const ir_node *node, unsigned dept
     return l;
 }
 
-/* Moves the location by an unknown number of elements. */
 static void move_by_unknown(location *l) {
     if (l->step_count && !l->steps[l->step_count - 1].field)
         l->steps[l->step_count - 1].subscript = NULL;

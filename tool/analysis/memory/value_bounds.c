@@ -408,7 +408,7 @@ static void join(bounding *b, const known_values *other) {
 
 static void execute(bounding *b, const ir_node *statement, const ir_node *site);
 
-/* Executes both branches; stops at the site if one of them contains it. */
+/* Stops at the site, if that is in the statement. */
 static void execute_if(bounding *b, const ir_node *statement, const ir_node *site) {
     const ir_node *condition = statement->children[0];
     forget_all_written(b, condition);

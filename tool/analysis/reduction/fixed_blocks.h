@@ -3,10 +3,10 @@
  * Loops whose OpenMP directive reduces scalars: `parallel for reduction(+ : sum)`. Their iterations
  * are divided into blocks, whose number follows from the trip count alone. The directive
  * distributes the blocks; each begins with the neutral element, and the results are combined in the
- * order of the blocks. That is an execution of the loop which OpenMP permits: as by a team with a
- * thread for each block (OpenMP 4.5, 2.7.1 and 2.15.3.6: which thread executes which iterations,
- * and in which order the copies are combined, is open). So the loop's body need only be shown not
- * to depend on thread numbers that `schedule` fixes.
+ * order of the blocks. OpenMP permits that: a team with a thread for each block may do so (OpenMP
+ * 4.5, 2.7.1 and 2.15.3.6: which thread executes which iterations, and the order of combining, are
+ * open). So the loop's body need only be shown not to depend on thread numbers that `schedule`
+ * fixes.
  */
 #ifndef ANALYSIS_FIXED_BLOCKS_H
 #define ANALYSIS_FIXED_BLOCKS_H

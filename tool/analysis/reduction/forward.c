@@ -3,11 +3,10 @@
  * A read may use the stored value if
  * - it follows the store in its block, so that the store was executed before it in this iteration,
  *   and is the same expression, whose operands do not change in between;
- * - no other write between the store and the read can be to that element. This is proved: a
- * run-time guard compares a read with each array, also with the store's own, and would fail;
+ * - no other write between the store and the read can be to that element. This is proved: a guard
+ *   compares reads with each array, also the store's own, and would fail;
  * - it is in the text, so that a variable's name can replace it.
- * Reads of the array by other expressions are analysed as usual: if they are the same memory, the
- * loop is refused, and if they may be, they are guarded.
+ * If other expressions read the same memory, the loop is refused; if they may, they are guarded.
  */
 #include "analysis/reduction/forward.h"
 
@@ -107,7 +106,6 @@ static bool is_below(const ir_node *statement, const ir_node *node) {
     return place && place->id > statement->id;
 }
 
-/* Is it a read that may use the stored value? */
 static bool may_use_value(const loop_access *read, const ir_node *statement,
                           const ir_node *target) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&

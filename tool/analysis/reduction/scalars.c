@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * If nothing else reads a scalar that the loop accumulates into, its value does not matter while
- * the loop runs: only the operands do. Each iteration keeps its own; after the loop they are
- * applied in order, which gives the bits of the sequential loop. For a minimum or maximum they are
- * the compared values (scalar_extremum.c). An iteration may combine its integer operands: modulo
- * 2^64 the result does not depend on the order. For floating numbers in an inner loop each
- * iteration keeps a series.
+ * the loop runs. Each iteration keeps its operands; after the loop they are applied in order, which
+ * gives the bits of the sequential loop. For a minimum or maximum they are the compared values
+ * (scalar_extremum.c). An iteration may combine its integer operands: modulo 2^64 the result does
+ * not depend on the order. For floating numbers in an inner loop each iteration keeps a series.
  */
 #include "analysis/reduction/scalars.h"
 
@@ -133,8 +132,8 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     return true;
 }
 
-/* Is the target a variable from outside the loop, or another object that is the same in all
- * iterations? *is_guarded: other accesses may alias it. */
+/* Is the target an object from outside the loop, the same in all iterations? *is_guarded: other
+ * accesses may alias it. */
 static bool is_scalar(const loop_analysis *j, const loop_access *write, bool *is_guarded) {
     const ir_node *target = write->access.lvalue;
     if (target->kind == IR_VARIABLE) {

@@ -21,8 +21,8 @@ bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *updat
 const ir_node *update_base_of(const ir_node *target, const ir_node *base);
 
 /** The table from which iterations load a pointer or array: of rows[k] and of object[k].row the
- *  invariant part, `rows` and `object`. NULL: `base` itself is invariant, or no invariant begins
- * the path to it, or the loop may store to that table, or the path has a union or type punning. */
+ *  invariant part, `rows` and `object`. NULL: `base` itself is invariant, the path to it begins
+ *  with no invariant or has a union or type punning, or the loop may store to the table. */
 const ir_node *update_table_of(const loop_analysis *j, const ir_node *base);
 
 /** Is the base invariant and readable before the loop, or reached from a table (update_table_of)?

@@ -193,8 +193,7 @@ static bool keeps_type(const update_form *form) {
             (form->value->type && form->value->type->kind == IR_INTEGER));
 }
 
-/* Sets the operator if all writes are updates by the same one, *d += e, and nothing else reads the
- * part. */
+/* Sets the operator, if all writes are updates by one (*d += e) and nothing else reads the part. */
 static void find_operator(const access_list *known, const written_part *part, update_call *found) {
     unsigned writes = 0;
     for (unsigned i = 0; i < known->items.count; i++) {

@@ -31,8 +31,8 @@ static bool is_write_of(const ir_node *expression, const ir_node *element) {
     return written && expression_same(written, element);
 }
 
-/* Does each statement in it assign the element, ignoring blocks and conditions? Its expressions may
- * have other effects. */
+/* Do all its statements, apart from blocks and conditions, assign the element? Expressions may have
+ * other effects. */
 static bool writes_only(const ir_node *statement, const ir_node *element) {
     switch (statement->kind) {
     case IR_EMPTY:

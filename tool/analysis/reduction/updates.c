@@ -260,7 +260,6 @@ static bool is_whole_row(const loop_access *update) {
            (target->kind == IR_INDEX && expression_same(update->where.base, target->children[0]));
 }
 
-/* Checks an update that a called function makes (update_call.h). */
 static bool check_call(loop_analysis *j, loop_access *write) {
     unsigned number;
     const update_call found = update_call_of(j, write->access.node);
@@ -334,8 +333,8 @@ static bool is_of_group(const loop_analysis *j, const loop_access *store, update
            update_group_of(j->an->facts, store->access.lvalue->parent, group);
 }
 
-/* A write other than an update in the text: by a call, by a group, or a plain store. The last store
- * to an element counts, so their order is kept. */
+/* A plain store, or a write by a call or a group. An element's last store counts, so the order is
+ * kept. */
 static bool check_store(loop_analysis *j, loop_access *store) {
     if (store->access.callee)
         return check_call(j, store);

@@ -4,10 +4,10 @@
  *
  * The proof: every byte of it that an iteration may read was written before, on every path, in the
  * same iteration. The method: abstract interpretation of the body with the set of bytes definitely
- * written so far. Loops whose trip counts are known are executed; writes in other loops count
- * after them only for reads in loops with the same header. Pointers into the variable are
- * followed through local variables and into callees with known bodies. A construct that cannot be
- * followed makes the answer "unknown", never a wrong one.
+ * written so far. Loops whose trip counts are known are executed; writes in other loops count after
+ * them only for reads in loops with the same header. Pointers into the variable are followed
+ * through local variables and into callees with known bodies. A construct that cannot be followed
+ * makes the answer "unknown".
  */
 #ifndef ANALYSIS_MUST_WRITE_H
 #define ANALYSIS_MUST_WRITE_H

@@ -109,7 +109,6 @@ place run_locate(run *r, state *s, const ir_node *node) {
     return elsewhere;
 }
 
-/* Are the bytes to be accessed inside the object? */
 static bool check_bounds(run *r, const ir_node *node, const place *p, const ir_type *type) {
     const int64_t begin = p->is_exact ? p->offset : p->begin;
     const int64_t end = p->is_exact ? p->offset + type->size : p->end;

@@ -4,17 +4,17 @@
  *     for (x = lo; x <= hi; x++) w[x - lo] = weight(x);
  *     for (x = lo; x <= hi; x++) h[x] += w[x - lo];
  *
- * Two loops with the same header pass through the same values of their counters, as long as nothing
- * else in it changes between them and their bodies leave the counters alone. A subscript that is
- * the same in both then names the same elements, one after the other. The writer writes all of
- * them, since it has no jumps; the reader reads some.
+ * Loops with equal headers give their counters the same values, if nothing else in the header
+ * changes between them and their bodies leave the counters alone. An equal subscript then names the
+ * same elements, in the same order. The writer writes all of them, since it has no jumps; the
+ * reader reads some.
  *
  *     for (p = w, x = lo; x <= hi; x++) *p++ = weight(x);
  *     for (q = w, x = lo; x <= hi; x++) h[x] += *q++;
  *
  * A pointer is a counter like others: its values are the same if it starts at the same address. A
- * counter may also be set before its loop, and be stepped by the body instead of the header, if
- * each iteration does it once, after all other uses (must_write_walk.c). */
+ * counter may also be set before its loop, and stepped in the body, if each iteration does so once,
+ * after all other uses (must_write_walk.c). */
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"

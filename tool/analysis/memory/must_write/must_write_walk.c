@@ -40,8 +40,8 @@ static bool is_continue(const ir_node *node) {
     return node->kind == IR_CONTINUE;
 }
 
-/* The step v++, v += c or the like that is the last statement, if nothing else in the body writes
- * v; or NULL. */
+/* The last statement, a step v++, v += c or the like, if nothing else in the body writes v; or
+ * NULL. */
 static const ir_node *step_at_end(const ir_node *body, const ir_variable *variable) {
     if (body->kind != IR_BLOCK || !body->child_count)
         return NULL;
