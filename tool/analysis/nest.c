@@ -223,7 +223,7 @@ static void search(loop_search *s, ir_node *node) {
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
         return;
     }
-    if (has_no_inspector) { /* an inner loop has one, so its plan can be reused */
+    if (has_no_inspector) { /* an inner loop has one, whose plan can be reused */
         verdict.kind = VERDICT_REFUSE;
         verdict.why = reason_make(s->an->memory, REASON_INDEX_EXPENSIVE,
                                   verdict.facts->arrays[0].name, node->range);

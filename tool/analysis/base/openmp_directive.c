@@ -206,7 +206,7 @@ static openmp_clause_kind kind_of_loop_clause(openmp_construct construct, const 
                                                                               : OPENMP_OTHER_CLAUSE;
 }
 
-/* The clauses of atomic and critical: only hints, and words for the default. */
+/* Permitted for atomic and critical: hints, and words for the default. */
 static openmp_clause_kind kind_of_lock_clause(const char *word, const char *inside) {
     (void)inside;
     return strcmp(word, "update") == 0 || strcmp(word, "relaxed") == 0 || strcmp(word, "hint") == 0

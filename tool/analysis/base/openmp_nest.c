@@ -78,7 +78,7 @@ static bool may_be_about_nest(const ir_unit *unit, const ir_directive *d) {
            source_find_name(d->text, d->text + strlen(d->text), unit->text.macros, &length);
 }
 
-/* A name before the loop, behind the statement before it, by which a macro may make a directive. */
+/* A name directly before the loop that a macro may expand to a directive; or NULL. */
 static const char *macro_above(arena *a, const ir_unit *unit, const ir_node *loop) {
     const ir_node *parent = loop->parent;
     ir_range before = {parent->range.begin, loop->range.begin};

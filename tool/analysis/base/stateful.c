@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* C17 7.11 to 7.14, 7.21, 7.22, 7.24, 7.27 and 7.29, and POSIX functions of the same kinds. A
- * parallel loop may call a function without side effects any number of times, in any order: output
- * would appear twice. */
+ * parallel loop may repeat calls of functions without side effects: output would appear twice. */
 #include "analysis/base/stateful.h"
 
 #include <stddef.h>

@@ -43,7 +43,7 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
     return all;
 }
 
-/* a[call]: the last element that a search reads has its result as subscript. */
+/* a[call]: a search returns the subscript of the last element that it reads. */
 static const ir_node *found_element(arena *a, const ir_node *from, const ir_node *call) {
     ir_node *element = ir_substitute(a, from, NULL, NULL);
     element->children[1] = ir_substitute(a, call, NULL, NULL);

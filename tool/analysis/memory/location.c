@@ -186,8 +186,7 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
         return pointed_location(q, array, depth);
     if (!value)
         return pointer_base(node);
-    /* variable_escapes relies on every pointer with one definition being looked through, or
-     * unknown */
+    /* variable_escapes requires that a pointer with one definition is looked through or unknown */
     if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
         return is_result(value) ? pointer_base(node) : unknown_location();
     location l = pointed_location(q, value, depth + 1);

@@ -119,7 +119,7 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
-/* The effect of a call, which names its function, through this argument. */
+/* The effect, through this argument, of a call that names its function. */
 static parameter_effect effect_of_argument(const variable_facts *facts, const ir_node *call,
                                            const ir_node *argument) {
     for (unsigned i = 1; i < call->child_count; i++)
