@@ -13,14 +13,14 @@ enum { LINE = 64 };
 struct redcc_crew {
     int threads;
     int level; /* nesting level of its region */
-    /* the crew of the enclosing region, which its first thread also leads */
+    /* the crew that the first thread leads in the enclosing region; NULL: none */
     struct redcc_crew *outer;
     atomic_int users; /* threads that may still read this memory */
     /* The current task. */
     region_work *work; /* NULL: the loop is over */
     void *shared;
     int threads_at_work;
-    atomic_uint tasks;               /* so far */
+    atomic_uint tasks;               /* number of tasks so far */
     atomic_int idle;                 /* threads that sleep until the next task */
     _Alignas(LINE) atomic_uint left; /* threads that have not finished the task */
     atomic_int asleep;
