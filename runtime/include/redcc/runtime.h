@@ -111,8 +111,8 @@ int redcc_are_linked(const redcc_callee *called, redcc_size count,
 /** Counts an execution of the original loop because of replaced functions. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
-/** Is the calling thread the only running thread of the process? OpenMP's idle threads do not
- * count. */
+/** Is the calling thread the process's first, and the only one that runs? OpenMP's idle threads do
+ * not count. */
 int redcc_is_alone(redcc_loop *loop);
 
 /** Makes a crew of the calling thread's team, all of whose threads reach the loop: the first one

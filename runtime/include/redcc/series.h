@@ -35,16 +35,16 @@ struct redcc_series_part {
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part *part; /**< of the current iteration; NULL: it has none yet */
-    double *begin;           /**< the part's first operand; NULL: the part is complete */
-    double *at, *end;        /**< address for the next operand, and the limit */
-    double *block_end;       /**< the end of the memory block that `at` points into */
-    int adds;                /**< the thread adds operands directly and stores none */
-    int begins;              /**< `adds` is set, and no operand was added yet */
-    int follows;             /**< another thread stores the operands of the current iteration */
-    int in_front; /**< the thread adds, because it has executed all iterations before `next` itself
-                   */
-    int added;    /**< in_front: it has added an operand */
+    redcc_series_part *part;  /**< of the current iteration; NULL: it has none yet */
+    double *begin;            /**< the part's first operand; NULL: the part is complete */
+    double *at, *end;         /**< address for the next operand, and the limit */
+    double *block_end;        /**< the end of the memory block that `at` points into */
+    int adds;                 /**< the thread adds operands directly and stores none */
+    int begins;               /**< `adds` is set, and no operand was added yet */
+    int follows;              /**< another thread stores the operands of the current iteration */
+    int in_front;             /**< it has executed all iterations before `next`, so it adds operands
+                               */
+    int added;                /**< in_front: it has added an operand */
     redcc_int next;           /**< operands from this iteration on are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
     struct operand_block *first, *block; /**< the thread's blocks: the first, that of `at` */

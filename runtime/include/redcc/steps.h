@@ -314,7 +314,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 
 /* ---- bins ---- */
 
-/** The number of records of `bytes` bytes that exactly fill cache lines, at most 32. */
+/** The least number of records of `bytes` bytes that exactly fill cache lines: at most 32. 1 if
+ * they are empty. */
 #define REDCC_LINE_RECORDS(bytes)                                                                  \
     ((bytes) == 0                                                                                  \
          ? 1u                                                                                      \

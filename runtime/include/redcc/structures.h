@@ -84,8 +84,8 @@ enum {
      * (another member of their structures). It may overlap only scalars. */
     REDCC_OVERLAPS_NO_ARRAY = 8
 };
-/** The elements that belong to one iteration are such scalars. This flag identifies their base; two
- * such sources with the same base are disjoint. */
+/** Elements that belong to one iteration count as such scalars (REDCC_IS_SCALAR). This flag
+ * identifies their base: two such sources with the same base are disjoint. */
 #define REDCC_SCALAR_BASE(redcc_base) ((redcc_base)*256)
 
 /** The address of any function. */
@@ -145,8 +145,8 @@ enum {
     REDCC_BINNED = 16,
     /** Its executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Multiplied by 2 or 4, the number of iterations executed at once (lanes.h), on a processor
-     * with AVX2. */
+    /** Multiplied by 2 or 4: the number of iterations executed at once (lanes.h). x86-64: with
+     * AVX2. */
     REDCC_LANES_UNIT = 64,
     /** The same on any processor. */
     REDCC_LANES_ANYWHERE = 1024,
@@ -155,7 +155,7 @@ enum {
      * inspection. If an iteration would update an address in `known`, worker->last becomes 0 and
      * the slice returns immediately. */
     REDCC_DRY_RUN = 2048,
-    /** The same, also if redcc_is_over finds an update of an address that was recorded as read. */
+    /** The same, also for an update of an address that was recorded as read (redcc_is_over). */
     REDCC_DRY_RUN_OF_READS = 4096,
     /** Replaces REDCC_PREFETCHES: the iterations are so light that prefetching pays only if their
      *  accesses are irregular. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A crew is a team of one of the program's own OpenMP regions, all of whose threads reach the same
+ * A crew is the team of one of the program's own OpenMP regions; all its threads reach the same
  * loop (`omp for`). The first thread executes the loop. The others wait, and execute with it the
  * regions that the runtime opens for the loop, so no other threads are needed.
  */

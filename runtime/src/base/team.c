@@ -45,7 +45,8 @@ extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
 extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
 
 enum {
-    FEW = 8192, /* a limit of at least so much (processes, threads) is assumed not to be reached */
+    FEW = 8192, /* a limit on processes or threads that is not below this is assumed not to be
+                   reached */
     SPARE = 4 * 1024 * 1024
 };
 

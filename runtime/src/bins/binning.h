@@ -83,7 +83,7 @@ struct round {
                                       * aborted */
 };
 
-/** Is called with the bytes of an array that are about to be written; tell NULL: nothing is called.
+/** A function that is called with the bytes of an array that are about to be written; NULL: none.
  */
 struct written_witness {
     void (*tell)(void *whom, uint32_t array, struct range written);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The size of rounds: as large as memory permits, since a round loads each line of the updated
- * arrays from memory and stores it once. Records may take 0.6 of the bytes of the arrays, and 64
- * MB, in all; if the loop must be one round, 512 MB.
+ * arrays from memory and stores it once. The records of all threads may take 0.6 of the bytes of
+ * the arrays plus 64 MiB; if the loop must be one round, plus 512 MiB.
  */
 #include "bins/binning.h"
 
@@ -40,7 +40,8 @@ static struct row_range from_a_line(const struct binning *binning, uint32_t s, u
     return rows;
 }
 
-/* A window that held all rows is kept, and so is its memory. */
+/* A window that held all rows is kept, and so is its memory, while the number of records is
+ * similar. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];

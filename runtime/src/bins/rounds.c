@@ -200,7 +200,7 @@ static redcc_int tried_next(const struct binning *binning) {
 }
 
 /* Divides the remaining iterations into rounds of about equal size; in a trial takes a part of
- * them. Memory is allocated for all of them, so that parts use only what they need. */
+ * them. Memory is allocated for a full round; a shorter one writes only a part of it. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int trip = binning->call->request.trip, left = trip - round->begin;

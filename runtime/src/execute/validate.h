@@ -11,8 +11,8 @@
  * its elements must not be copied.
  *
  * With a plan, the written range is known before the loop runs. For a binned loop it is known
- * before each round, so that the copies grow. If a binned loop continues sequentially, the
- * iterations up to that point are compared.
+ * before each round's updates are applied, so that the copies grow. If a binned loop continues
+ * sequentially, the iterations up to that point are compared.
  */
 #ifndef REDCC_VALIDATE_H
 #define REDCC_VALIDATE_H

@@ -34,7 +34,7 @@ struct dry_run {
                            * read, except possibly reads in clear ranges */
     redcc_owner *clear;   /* [source_count] a read in it overlaps no window */
     bool has_margins;     /* windows are larger than the touched ranges */
-    bool ended_in_margin; /* a read in a margin ended it, which may overlap no touched range */
+    bool ended_in_margin; /* a read in a window ended it, perhaps only in a margin */
     redcc_int block;      /* iterations until the deadline is checked again */
     bool no_conflict;     /* result: no updated element is read */
     bool leaves;          /* result: an iteration leaves the loop */
@@ -170,8 +170,8 @@ bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *ins
 /** The fraction of the iterations that the dry run has recorded. */
 double redcc_dry_run_done(const struct inspection *inspection);
 
-/** Ends the run. Returns REASON_OVERLAP (inspection->overlap has the two), REASON_DEADLINE,
- * REASON_NO_MEMORY or REASON_NONE. */
+/** Ends the run. Returns REASON_OVERLAP (inspection->overlap has the two), REASON_LEAVES,
+ * REASON_DEADLINE, REASON_NO_MEMORY or REASON_NONE. */
 enum reason redcc_dry_run_finish(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */

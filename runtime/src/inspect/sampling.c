@@ -42,8 +42,9 @@ static bool is_for_tiles(const struct inspection *inspection) {
            redcc_can_be_tiled(request->trip);
 }
 
-/* The number of iterations, between few / 2 and `most`, that fit in the sample's time. Heavy
- * iterations have many touches, so fewer of them give as much information. */
+/* The number of iterations, between few / 2 and `most`, that fit in the sample's time; `most`
+ * unless the order is serial. Heavy iterations have many touches, so fewer of them give as much
+ * information. */
 static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
     const double usual = inspection->pace.usual;
     if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)

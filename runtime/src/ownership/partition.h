@@ -70,7 +70,7 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
 
-/** Adapts the owners to the arrays' current addresses. */
+/** Moves the cuts with the arrays, which now begin at `bases`. */
 void redcc_partition_move(struct partition *partition, void *const *bases);
 
 /** Makes a single owner of everything. It may be cut again, for at most the original number of
@@ -81,7 +81,7 @@ void redcc_partition_in_one(struct partition *partition);
  * freed separately. False: out of memory. */
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
 
-/** Merges owners[o * (1 + stealable)] and its stealable blocks into one owner, number o. */
+/** Merges owner o * (1 + stealable) and its stealable blocks into one owner, number o. */
 void redcc_partition_join_stealable(struct partition *partition);
 
 /** Gives every owner empty stealable blocks, which own no addresses. There must be room for them.

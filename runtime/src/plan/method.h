@@ -63,7 +63,7 @@ struct method {
     bool tiles;  /* its threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
                   * have REDCC_TILES */
     bool steals; /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
-                  * finish early execute. The function `owners` below is then ignored */
+                  * finish early execute. Such a method has no function `owners` */
 
     /** REQUIRED with `parameter`: parses the text after the colon; 0: invalid. */
     int (*parse)(const char *text);

@@ -99,7 +99,7 @@ static bool all_are_short(const uint16_t *word) {
     uint64_t counts;
     memcpy(&counts, word, sizeof counts);
     counts &= each * (COUNTS - 1);
-    /* a field gets its top bit only if its count is 0 */
+    /* top bits are set only if some count is 0 */
     return ((counts - each) & each << 15) == 0;
 }
 

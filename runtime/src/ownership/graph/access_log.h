@@ -47,7 +47,7 @@ struct logged_array {
 
 struct access_log {
     struct logged_array *of; /* [array_count] */
-    uint32_t units;          /* their total number */
+    uint32_t units;          /* total number of units */
     struct unit_list leading;
     struct unit_list further; /* unallocated if there is only one group */
     redcc_int begin;          /* the first iteration of the thread's share */

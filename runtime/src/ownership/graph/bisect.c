@@ -44,7 +44,7 @@ static void count_gains(const struct graph *graph, uint32_t node, const unsigned
     }
 }
 
-/* The part with the highest gain for the node. */
+/* The part with room for the node and the highest gain; with equal gains the lighter one. */
 static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
@@ -89,9 +89,9 @@ void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t coun
     }
 }
 
-/* Searches breadth first from node[0], then from the first node not reached, until all of node[0 ..
+/* Searches breadth first from `first`, then from the first node not reached, until all of node[0 ..
  * count) are in the order; visits only nodes of part `within`. Returns the last node reached from
- * node[0], which is the farthest. */
+ * `first`, which is the farthest. */
 static uint32_t search_from(struct division *division, uint32_t first, const uint32_t *node,
                             uint32_t count, uint32_t within) {
     const struct graph *graph = division->graph;

@@ -18,8 +18,9 @@ bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stea
 
 /**
  * Refinement (Kernighan-Lin, Fiduccia-Mattheyses): moves nodes of `list` to parts of [low, high)
- * with a positive gain, or with gain 0 if that balances the loads, in at most `rounds` rounds. load
- * [high] has the parts' weights and is updated, most [high] their limits.
+ * with a positive gain, with gain 0 if that balances the loads, or out of parts above their limits,
+ * in at most `rounds` rounds. load [high] has the parts' weights and is updated, most [high] their
+ * limits.
  */
 void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
                   unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,

@@ -8,8 +8,9 @@
  * In each round every node (a unit, later a cluster) chooses the node of lowest rank among itself
  * and all nodes that iterations connect it to; ranks come from a hash. The choices form trees: a
  * node that chooses itself is a root. Each tree becomes one node of the next round (Boruvka's
- * hooking). A round reduces a mesh's nodes by a factor of about seven. All threads process their
- * iterations concurrently; the result is independent of the number of threads.
+ * hooking), or several if it is too large. A round reduces a mesh's nodes by a factor of about
+ * seven. All threads process their iterations concurrently; the result is independent of the number
+ * of threads.
  *
  *     begin    one thread
  *     choose   each thread: its iterations

@@ -54,7 +54,8 @@ struct divide {
 enum divide_result {
     DIVIDE_DONE,
     DIVIDE_NO_MEMORY,  /* out of memory, or late */
-    DIVIDE_UNSUITABLE, /* too many units, touches or owners to pay off, or no units */
+    DIVIDE_UNSUITABLE, /* too many units, iterations, touches or owners, or no units
+                        */
     DIVIDE_BEYOND      /* there was a touch outside of the numbered units */
 };
 

@@ -11,8 +11,8 @@
  * touches. */
 enum { CLIQUE = 4 };
 
-/* A node with more edges than this is a hub, adjacent to almost all nodes; its edges are
- * ignored.
+/* A node with more edges than this is a hub, adjacent to almost all nodes: its list of edges is
+ * dropped.
  */
 enum { HUB = 4096 };
 

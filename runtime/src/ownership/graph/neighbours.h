@@ -49,7 +49,8 @@ bool redcc_graph_take(struct graph *graph);
 void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, int lists,
                       uint32_t first, uint32_t end);
 
-/** Merges parallel edges, adding up their strengths; drops the edges of hubs. False: no memory. */
+/** Merges parallel edges, adding up their strengths; empties the lists of hubs. False: out of
+ * memory. */
 bool redcc_graph_merge(struct graph *graph);
 
 #endif
