@@ -67,7 +67,7 @@ static enum result result_of(const struct execution *execution) {
     }
 }
 
-/* Does the reason concern one strategy, or (SEQUENTIAL) all of them? */
+/* The strategy that the reason concerns; SEQUENTIAL: all strategies. */
 static enum way way_concerned(const struct execution *execution) {
     if (execution->call.in_bins)
         return WAY_BINS;

@@ -3,8 +3,8 @@
  * The state of a loop over its executions, of one execution, and of one thread in it.
  *
  * The thread that holds the loop (busy) fills the execution in redcc_enter. In the region each
- * thread has its state. Shared state is written only by the last thread to arrive at the end of a
- * stage (pipeline.h), while the others wait.
+ * thread has its state. Shared state is written by the last thread to arrive at the end of a stage
+ * (pipeline.h) or, in bins, by the first thread, while the others wait.
  */
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
@@ -35,7 +35,7 @@ struct execution {
     bool binned;        /* the execution was binned, entirely or in its first rounds */
     enum stage stage;   /* the next stage of all threads, after a barrier */
     enum reason reason; /* why there is no plan */
-    double woken;       /* s, arrival of the region's last thread; 0: none arrived */
+    double woken;       /* s, arrival of the thread with the highest number; 0: not yet */
     struct barrier barrier;
 };
 

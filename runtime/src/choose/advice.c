@@ -118,7 +118,7 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
-/* Without kept plans, and with the minimum cost of starting threads. */
+/* The situation of a call without kept plans, with the minimum cost of starting threads. */
 static struct situation situation_of(const struct chooser *chooser, const redcc_loop *loop,
                                      redcc_int trip, int threads) {
     struct situation now = {.trip = trip,
@@ -264,7 +264,7 @@ static struct findings begin_findings(const struct chooser *chooser,
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
     if (found->overhead > LEARN_SHARE / 2 || found->share * call->planned > LEARN_CONTENDED)
-        return false; /* they save 2 to 20 % of the iterations */
+        return false; /* stealable blocks save only 2 to 20 % of the iterations */
     /* If the iterations of a block are scattered, the subscripts of its neighbours are read with
      * its own. */
     return found->changes < LEARN_FREQUENT ||

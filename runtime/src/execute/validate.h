@@ -7,8 +7,8 @@
  * If the sequential loop's bits are promised, an element with other bits is an error; so is a
  * different integer in any order. For floating sums in another order, only the largest difference
  * is reported. NaNs count as equal, whatever their bits. An execution concurrent with another one
- * of the same loop is not compared, nor is a loop with a scattered array, because memory between
- * its elements must not be copied.
+ * of the same loop is not compared. Nor, with a plan, is a loop with a scattered array, because
+ * memory between its elements must not be copied.
  *
  * With a plan, the written range is known before the loop runs. For a binned loop it is known
  * before each round's updates are applied, so that the copies grow. If a binned loop continues

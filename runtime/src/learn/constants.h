@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * All constants of `auto`, each with the measurement behind it. Eleven belong to the rule
+ * The constants of auto's decisions, each with the measurement behind it. Eleven belong to the rule
  * (docs/choosing.md), nine to the cost model. The latter are first estimates, which measurements of
  * the run replace. Times are those of the machines in bench/results.
  */

@@ -115,7 +115,8 @@ static double horizon_of(const struct choice *c) {
     return (double)(life > age ? life - age : age);
 }
 
-/* Rent or buy: has the loop run sequentially for the required multiple of `seconds`? */
+/* Rent or buy: has the sequential time since the last plan construction reached the required
+ * multiple of `seconds`? */
 static bool has_waited_for(const struct choice *c, double seconds) {
     return seconds * redcc_factor(&c->size->set_ups) <= c->size->set_ups.since;
 }
@@ -277,8 +278,8 @@ bool redcc_goes_at_once(const struct situation *now) {
            now->trip >= (long long)LEARN_SAMPLED * LEARN_SAMPLED;
 }
 
-/* Are bins tried before any inspection? So if the loop has no inspection; if its inspection begins
- * with a dry run, which may take as long as the loop; or if iterations are so heavy that an
+/* Are bins tried before any inspection? They are if the loop cannot be inspected; if an inspection
+ * begins with a dry run, which may take as long as the loop; or if iterations are so heavy that an
  * inspection may take longer than a trial of bins may lose. Heavy iterations have inner loops, and
  * the inspection records all rows that these touch (for tiles only the first and the last). The
  * first execution may be a trial that times the sequential loop as well. */

@@ -34,13 +34,13 @@ struct arm {
     bool ruled_out;   /**< its trial failed: not available until the loop's back-off ends */
     bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
     double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
-    double learned;   /**< measured seconds, or a lower bound; 0: none was constructed */
+    double learned;   /**< measured seconds of the same, or a lower bound; 0: none */
     double execution; /**< seconds per iteration, including the check of a kept plan; estimated */
-    struct timings timed; /**< and measured */
+    struct timings timed; /**< the measured executions */
 };
 
 /** Is there a kept plan for this call? A strategy without plans fits if the loop has a form for it,
- *  and is only tried if a sample suggested that it may pay. */
+ * and is usually tried only if a sample suggested that it may pay. */
 enum kept_match {
     KEPT_NONE,
     KEPT_CHANGED, /**< one for other subscripts, according to a sample */
@@ -52,10 +52,10 @@ struct situation {
     long long trip; /**< iterations */
     int threads;    /**< that would execute them */
     double wake;    /**< measured seconds to wake them */
-    double start;   /**< seconds to start the missing ones; 0: none is missing, or none is to be
-                     * woken (redcc_reach) */
-    double spent;   /**< seconds of the current inspection so far */
-    double dried;   /**< seconds of its dry run in `spent`, */
+    double start; /**< seconds to start the missing ones, or a lower bound (redcc_reach); 0: none is
+                     missing */
+    double spent; /**< seconds of the current inspection so far */
+    double dried; /**< seconds of its dry run in `spent`, */
     double awaited; /**< and of waiting for threads that had to be started */
     enum kept_match kept[WAY_COUNT];
     int steady;     /**< consecutive calls whose sampled subscripts were those of one of the last
@@ -135,7 +135,8 @@ struct comparison {
 
 /** Plan constructions at one size. */
 struct set_ups {
-    double since;    /* sequential seconds since the last one */
+    double
+        since; /* seconds since the last one that the sequential loop took, or would have taken */
     double factor;   /* multiple of its estimated cost that `since` must reach for another; 0: the
                       * initial one */
     double invested; /* seconds that the last one took */

@@ -44,7 +44,7 @@ int redcc_misses(const struct set_ups *it) {
     return missed(it) ? it->misses + 1 : 0;
 }
 
-/* Each plan construction that did not pay doubles it, each that paid halves it. */
+/* Each plan construction that did not pay doubles the factor, each that paid halves it. */
 double redcc_factor(const struct set_ups *it) {
     const double now = it->factor > 0 ? it->factor : LEARN_FACTOR;
     if (it->invested == 0)

@@ -65,7 +65,7 @@ static int request_of(const struct opened *opened, unsigned long request, const 
 }
 
 /* The lowest number for the descriptors opened here: the last two of the current descriptor table,
- * so that the program continues to get the low numbers. */
+ * or 512, so that the program continues to get the low numbers. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
