@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A sample of the touched addresses, of iterations spread evenly over the loop, for choosing the
- * cuts. One sample per thread.
+ * cuts and for estimates. One sample per thread.
  */
 #ifndef REDCC_SAMPLE_H
 #define REDCC_SAMPLE_H

@@ -20,8 +20,8 @@ struct sweep {
     bool mixed;          /* it touches elements of several owners, those in `list` */
     uint32_t last_set;
     redcc_int in_last_set; /* iterations not yet added to the summary */
-    uint64_t iteration;    /* the current iteration's stamp */
-    uint64_t *stamp;       /* [owners] stamp of the last iteration that touched the owner */
+    uint64_t iteration;    /* stamp of the latest iteration of several owners */
+    uint64_t *stamp;       /* [owners] stamp of the last such iteration that touched the owner */
     uint32_t *list;        /* [owners] */
     uint32_t listed;
     redcc_int done; /* iterations since the block was opened */

@@ -4,7 +4,8 @@
  * methods/ has one file per method, methods/list.c the list; docs/methods.md describes them.
  *
  * A method determines what each thread executes (prepare) and whether threads write to copies. The
- * executor (execute/executor.c) does the rest for all methods: chunks, stages, barriers, merges.
+ * executor (execute/executor.c) does the rest for all methods with a plan: chunks, stages,
+ * barriers, merges.
  */
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
@@ -74,7 +75,8 @@ struct method {
 
     /** OPTIONAL; the number of teams of threads, 1 to `threads`. Default: 1. */
     int (*teams)(int threads, int parameter);
-    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`. */
+    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`; with
+     * `steals` also their stealable blocks. */
     uint32_t (*owners)(int threads, int parameter);
     /** OPTIONAL; the number of flags by which its tasks synchronise. */
     uint32_t (*flags)(uint32_t owners);

@@ -52,7 +52,7 @@ struct access_log {
     struct unit_list further; /* unallocated if there is only one group */
     redcc_int begin;          /* the first iteration of the thread's share */
     redcc_int iterations;     /* number of iterations recorded */
-    size_t most;              /* maximum number of items in either list */
+    size_t most;              /* maximum number of items in each list */
     bool too_much;            /* a list would have more than `most` items */
     bool beyond;              /* there was a touch outside of all units: the lists are unusable */
     bool failed;              /* out of memory */

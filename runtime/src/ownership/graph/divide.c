@@ -322,7 +322,8 @@ static void vote_further(struct divide *divide, int thread) {
     }
 }
 
-/* Assigns units to the winners; units without a vote are distributed evenly. */
+/* Assigns further groups' units to the winning owners; those without a vote are distributed
+ * evenly. */
 static void count_votes(struct divide *divide, int thread) {
     const uint32_t leading = divide->units.leading, count = divide->units.count - leading;
     const struct share share = share_of(divide, count, thread);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A weighted graph: node n's neighbours are neighbour[start[n]] ... neighbour[start[n + 1] - 1].
- * Every edge is stored at both of its ends; there may be parallel edges.
+ * Nodes (those in `only`, if set) store all of their edges, parallel ones separately until
+ * redcc_graph_merge.
  *
  * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
  * that touches both ends (an iteration with more than a few units adds a ring of edges). Each
