@@ -45,7 +45,8 @@ enum bins_phase {
     BINS_OVER     /* `begin` iterations are done */
 };
 
-/** One thread's part. Only this thread writes it; the others read it after the barrier. */
+/** One thread's part. Only this thread writes it, except for `share`; the others read it after the
+ * barrier. */
 struct binner {
     int thread;
     int threads;
@@ -121,7 +122,7 @@ struct binning {
     int cut_threads;    /* number of threads for which the windows were cut */
     bool denies_copies; /* the guard found them to be too coarse */
     atomic_uint next_bin;
-    atomic_int failed; /* some thread lacks records of this round */
+    atomic_int failed; /* the round is aborted: records are missing, or it is late */
     struct effects effects;
     enum reason reason;     /* why the rest is sequential; NONE: all is done */
     struct overlap overlap; /* of REASON_OVERLAP */

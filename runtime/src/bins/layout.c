@@ -10,8 +10,8 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* Rows to add at each end of the window: the first round may have missed the outermost row and,
- * after failures, more of them. */
+/* Rows to add at each end of the window: the recorded rows may lack the outermost ones and, after
+ * failures, more of them. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;

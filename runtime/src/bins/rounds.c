@@ -12,7 +12,7 @@
 enum {
     CHUNK = 16384,  /* iterations between two checks whether the round has failed. With a smaller
                        number, fewer of the missing rows and records would be counted by then */
-    STRETCHES = 64, /* stretches of each thread's share that are measured */
+    STRETCHES = 64, /* maximum number of measured stretches per thread */
     STRETCH = 64,   /* maximum iterations of a stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */
     LEAST_CHUNK = 512,
@@ -112,8 +112,8 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* Will pushing the only round alone take longer than the trial may take? Asked once an eighth of
- * the thread's share is pushed: the first records are written to new memory. */
+/* Will pushing the only round alone take longer than the trial may take? Unknown until an eighth of
+ * the thread's share is pushed: the first records are slow, since their memory is new. */
 static bool is_late(const struct binning *binning, const struct binner *binner) {
     const struct bins_trial *it = &binning->trial;
     const double trip = (double)binning->call->request.trip, share = trip / binner->threads;
@@ -186,9 +186,9 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: as many as in all rounds before or, if these
- * would exceed the trial's limit at the earlier loss per iteration, as many as stay within it.
- * In any case at least trip / TRIED. */
+/* The number of iterations of a trial's next round: as many as are done or, if these would exceed
+ * the trial's limit at the earlier loss per iteration, as many as stay within it. In any case at
+ * least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;

@@ -188,7 +188,7 @@ static void begin_in_order(redcc_worker *worker, enum step step, redcc_int begin
     worker->position = begin;
     worker->variant = (redcc_variant){0};
     worker->base = runner->base;
-    worker->owner = runner->owner; /* not used: no owner checks */
+    worker->owner = runner->owner; /* used only after redcc_run_own_nothing */
     worker->run_end = NULL;
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->base[array] = call->request.bases[array];
@@ -298,8 +298,8 @@ static void raise_flag(const struct plan *plan, const struct chunk *chunk) {
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
-/* A single thread has one copy for all shares after the first: merges it before the next one
- * begins. */
+/* Switches to the share's copy. With COPY_LATER a single thread has one copy for all shares after
+ * the first, and merges it before the next share begins. */
 static void begin_share(struct runner *runner, uint32_t share) {
     const struct plan *plan = runner->plan;
     if (plan->method->copies == COPY_LATER && plan->threads == 1 && share > 1)
