@@ -256,7 +256,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* The number of threads to request. */
+/* The number of threads to request. With compensated sums no sequential execution is timed, so that
+ * a short loop gets one thread. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;

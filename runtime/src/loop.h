@@ -34,7 +34,7 @@ struct execution {
     struct run run;
     bool binned;        /* the execution was binned, entirely or in its first rounds */
     enum stage stage;   /* the next stage of all threads, after a barrier */
-    enum reason reason; /* why there is no plan */
+    enum reason reason; /* why there is no plan, or why a binned loop's rest is sequential */
     double woken;       /* s, arrival of the thread with the highest number; 0: not yet */
     struct barrier barrier;
 };

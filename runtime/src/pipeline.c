@@ -20,7 +20,7 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
 /* ---- verify ---------------------------------------------------------------------------------- */
 
 /* A named method may use any kept plan of it; auto only a plan of the strategy that it has chosen.
- * Of the plans without schedules, only those for tiles are kept, because they do not depend on
+ * Of auto's plans without schedules, only those for tiles are kept, because they do not depend on
  * subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;

@@ -22,7 +22,7 @@ struct selection {
     redcc_int executed;   /* number of iterations so far */
     bool asked;      /* the classes of iterations from worker->first on were requested and are not
                         evaluated yet */
-    redcc_int taken; /* number of classified iterations already handed out */
+    redcc_int taken; /* number of classified iterations already handed out or skipped */
     bool follows;    /* the flag of the last runs handed out (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
 };

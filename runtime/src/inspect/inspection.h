@@ -57,7 +57,7 @@ struct inspector {
     bool failed;          /* out of memory */
     bool recorded_all;    /* all requested iterations were recorded */
     bool late;            /* the deadline passed before that */
-    redcc_int next;       /* the sweep's next iteration */
+    redcc_int next;       /* next iteration of the sweep or dry run */
     redcc_int handed;     /* iterations handed out in the current block */
     redcc_int block;      /* maximum size of a block; with a deadline it grows */
     redcc_int largest;    /* limit of this growth */
@@ -122,8 +122,8 @@ bool redcc_inspection_is_late(const struct inspection *inspection);
  * fraction of the stage, 0 to 1. False in the first 16th of the time. */
 bool redcc_inspection_will_be_late(const struct inspection *inspection, double done);
 
-/** With a deadline, the clock is first read after a few iterations, since they may be heavy, then
- * at intervals that double up to the second number (50 microseconds to a millisecond). */
+/** With a deadline, the clock is first read after 16 iterations, since they may be heavy. Then the
+ * intervals double, up to 16384 iterations: 50 microseconds to a millisecond, if they are light. */
 enum { REDCC_FIRST_BEFORE_DEADLINE = 16, REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
 static inline redcc_int redcc_next_before_deadline(redcc_int block) {
     return block < REDCC_BLOCK_BEFORE_DEADLINE ? 2 * block : block;
@@ -210,7 +210,7 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed);
 
-/** Hands out the next block. False: none is left. */
+/** Hands out the next block. False: none is left, or the sweep has failed or is late. */
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
                           redcc_worker *worker);
 
@@ -258,7 +258,8 @@ redcc_int redcc_executed_in_all(const struct inspection *inspection);
 /** The same if the stealable blocks of the access graph were joined to their owners. */
 redcc_int redcc_executed_joined(const struct inspection *inspection);
 
-/** The fraction of the iterations that the most loaded thread executes by LOCALWRITE. */
+/** The fraction of the iterations that the most loaded thread executes by LOCALWRITE; with
+ * stealable blocks at least an equal share. */
 double redcc_largest_share(const struct inspection *inspection);
 
 /** The number of iterations, in all threads' shares, that touch other owners than the preceding
