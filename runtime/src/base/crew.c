@@ -36,7 +36,7 @@ extern int omp_get_thread_num(void) WEAK;
 redcc_crew *redcc_crew_new(void) {
     if (redcc_region_is_own() || !omp_get_level)
         return NULL;
-    redcc_memory_exempt(true); /* without a crew the loop runs as written, with other bits */
+    redcc_memory_exempt(true); /* a limit must not change the bits: no crew, other bits */
     struct redcc_crew *it = redcc_memory_alloc_zeroed(1, sizeof *it);
     redcc_memory_exempt(false);
     if (!it)

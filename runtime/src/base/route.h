@@ -3,7 +3,7 @@
 #ifndef REDCC_ROUTE_H
 #define REDCC_ROUTE_H
 
-/** The first stage of the inspection that knows enough decides. */
+/** The route is decided by the first stage of the inspection that has the necessary information. */
 enum route {
     ROUTE_SERIAL, /* no plan: the original loop */
     ROUTE_OWNERS, /* owners cut by address */

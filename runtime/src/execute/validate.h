@@ -32,7 +32,7 @@ struct validated {
     long passed_over;     /* number not compared, because a scattered array cannot be copied */
     long broken;          /* number of executions with errors */
     atomic_long misnamed; /* updates of rows that a slice did not name (redcc/parallel.h) */
-    double largest;       /* largest difference, in ulps; */
+    double largest;       /* largest difference, in ulps */
     const char *array;    /* the array in which it was found */
     char name[64];        /* storage for that array's name */
     redcc_int element;    /* counted from the array's first one */

@@ -35,7 +35,7 @@ struct divide {
     int threads;
     struct barrier *barrier;
     struct units units;
-    size_t most_logged;        /* maximum number of items in each list of a thread's log */
+    size_t most_logged;        /* a log's list of this many items does not grow */
     struct access_log *logged; /* [threads] */
     struct sweep *sweep;       /* [threads] the result: the access summaries */
     unsigned char *owner;      /* [units.count] the result: the owner of each unit */
