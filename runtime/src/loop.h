@@ -47,8 +47,8 @@ struct thread_state {
     int threads;
     enum stage stage;
     bool telling;               /* iterations to record were handed out in this stage */
-    int node;                   /* its last NUMA node (base/node.h); -1: unknown */
-    bool moved;                 /* its node differs from that in the previous execution */
+    int node;                   /* the thread's last NUMA node (base/node.h); -1: unknown */
+    bool moved;                 /* this node differs from that in the previous execution */
     struct inspector inspector; /* sample, sweep, log, partition */
     struct hasher hasher;       /* verify, sweep, plan */
     struct binner *binner;      /* NULL unless the loop can be binned */

@@ -20,7 +20,7 @@
 
 enum {
     BLOCK_OPERANDS = 8192 - 8, /* an operand_block, with its pointers, takes less than 64 KiB */
-    HEAD = offsetof(redcc_series_part, value) / sizeof(double) /* of a part, in operands */
+    HEAD = offsetof(redcc_series_part, value) / sizeof(double) /* the head of a part, in operands */
 };
 
 /* A block of memory for operands; written by one thread. */

@@ -16,9 +16,9 @@ static const double least_seconds = LEARN_WAKES * LEARN_SAMPLE / 40;
 static const double enough = 12.5 * LEARN_SAMPLE;
 
 enum {
-    SIZE_BITS = 7,    /* widths of the word's fields above the lowest bit, which is 1: of `size`, */
-    NUMBER_BITS = 12, /* of `left` and of `length`, */
-    EARNED_BITS = 13  /* earned */
+    SIZE_BITS = 7,    /* bits of the word's field `size`, above the lowest bit, which is 1 */
+    NUMBER_BITS = 12, /* bits of `left`, and of `length` */
+    EARNED_BITS = 13  /* bits of `earned` */
 };
 
 _Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");

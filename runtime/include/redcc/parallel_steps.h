@@ -193,7 +193,7 @@ typedef struct redcc_body {
     redcc_rows *rows;
     redcc_worker *worker;
     const redcc_array *arrays;
-    const redcc_stream *streams; /* of each array; 0: updates are not pushed */
+    const redcc_stream *streams; /* each array's; 0: updates are not pushed */
     const redcc_bins *bins;      /* of each array */
     void *base[REDCC_MOST_ARRAYS];
     redcc_owner owner[REDCC_MOST_ARRAYS];
@@ -307,7 +307,7 @@ REDCC_INLINE void redcc_push_number(const redcc_body *it, redcc_u32 array, const
                record);
 }
 
-#ifdef __clang__ /* it would warn if it does not unroll, for instance under sanitizers */
+#ifdef __clang__ /* clang would warn where it does not unroll, as under sanitizers */
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif

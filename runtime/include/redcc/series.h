@@ -42,8 +42,7 @@ struct redcc_series_writer {
     int adds;                 /**< the thread adds operands directly and stores none */
     int begins;               /**< `adds` is set, and no operand was added yet */
     int follows;              /**< another thread stores the operands of the current iteration */
-    int in_front;             /**< it has executed all iterations before `next`, so it adds operands
-                               */
+    int in_front;             /**< the thread executed all iterations before `next`: it adds */
     int added;                /**< in_front: it has added an operand */
     redcc_int next;           /**< operands from this iteration on are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */

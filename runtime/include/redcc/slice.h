@@ -11,7 +11,7 @@
 
 /** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__worker 0 if they are
  * prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
- * sources. All are constants, so that each use of the function is compiled separately. */
+ * sources. In each use it is constant which of these are 0, so that each is compiled separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \

@@ -212,8 +212,8 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
     const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
     const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
     const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
-    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row; */
-    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last */
+    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row */
+    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last whole row */
     return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
 }
 

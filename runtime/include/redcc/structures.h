@@ -511,7 +511,8 @@ struct redcc_kept_row;
 /**
  * Functions that inline functions call while a loop is inspected and executed. A thread reaches the
  * table through its worker and its bins, so that an object with loops refers to none of these
- * functions by name. Later versions append to it. redcc/runtime.h describes each.
+ * functions by name. Later versions append to it. redcc/runtime.h and redcc/bins.h describe those
+ * without a comment.
  */
 typedef struct redcc_calls {
     redcc_u32 version; /**< a REDCC_INTERFACE */

@@ -29,8 +29,7 @@ extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec
 /** Must threads be created for a region of `threads` threads? */
 bool redcc_team_grows(int threads);
 
-/** The number of threads that must be created for a region of `threads` threads.
- */
+/** The number of threads that must be created for a region of `threads` threads. */
 int redcc_team_missing(int threads);
 
 /** How many of these must OpenMP start? An estimate: for the main thread's first region it assumes

@@ -430,7 +430,7 @@ bool redcc_may_be_tiled(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     const struct partition *partition = &inspection->partition;
     for (uint32_t array = 0; array < partition->array_count; array++)
-        if (partition->group_of[array] != array) /* its elements have two numbers */
+        if (partition->group_of[array] != array) /* arrays overlap: elements have two numbers */
             return false;
     return call->request.loop->flags & REDCC_TILES && redcc_can_be_tiled(call->request.trip);
 }

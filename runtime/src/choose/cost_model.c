@@ -13,8 +13,7 @@ static double by_owners(const struct findings *it) {
                                       : 1);
 }
 
-/* Seconds per iteration to begin runs of iterations. The threads divide the runs evenly.
- */
+/* Seconds per iteration to begin runs of iterations. The threads divide the runs evenly. */
 static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }

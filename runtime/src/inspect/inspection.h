@@ -38,7 +38,7 @@ struct dry_run {
     redcc_int block;      /* iterations until the deadline is checked again */
     bool no_conflict;     /* result: no updated element is read */
     bool leaves;          /* result: an iteration leaves the loop */
-    double seconds;       /* its duration, at the end */
+    double seconds;       /* the dry run's duration, at the end */
 };
 
 /** Times the slice of some iterations, repeatedly, so that cache misses are not included. */

@@ -31,7 +31,7 @@ struct timings {
 /** Estimates and measurements of a strategy. */
 struct arm {
     bool possible;
-    bool ruled_out;   /**< its trial failed: not available until the loop's back-off ends */
+    bool ruled_out;   /**< a trial failed: not available until the loop's back-off ends */
     bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
     double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
     double learned;   /**< measured seconds of the same, or a lower bound; 0: none */
@@ -50,13 +50,13 @@ enum kept_match {
 /** A call. */
 struct situation {
     long long trip; /**< iterations */
-    int threads;    /**< that would execute them */
+    int threads;    /**< threads that would execute these */
     double wake;    /**< measured seconds to wake them */
     double start; /**< seconds to start the missing ones, or a lower bound (redcc_reach); 0: none is
                      missing */
     double spent; /**< seconds of the current inspection so far */
-    double dried; /**< seconds of its dry run in `spent`, */
-    double awaited; /**< and of waiting for threads that had to be started */
+    double dried; /**< of `spent`: seconds of the dry run */
+    double awaited; /**< of `spent`: seconds of waiting for threads that had to be started */
     enum kept_match kept[WAY_COUNT];
     int steady;     /**< consecutive calls whose sampled subscripts were those of one of the last
                      * calls; -1: unknown */
@@ -65,10 +65,10 @@ struct situation {
     bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
-    bool begun; /**< this is the rest of the first execution, some iterations of which were timed in
-                   order: a strategy that pays in it alone is not delayed */
-    bool tiled; /**< it is a loop over pairs, whose inspection is short, */
-    bool in_tiles; /**< and it may be cut into tiles, so that WAY_DIRECT needs no estimate */
+    bool begun;     /**< the call is the rest of the first execution, some iterations of which were
+                       timed in order: a strategy that pays in this call alone is not delayed */
+    bool tiled;     /**< the inspection is short: a loop over pairs, or REDCC_BLOCKS */
+    bool in_tiles;  /**< the loop may be cut into tiles, so that WAY_DIRECT needs no estimate */
 };
 
 enum action {
@@ -195,7 +195,7 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
 /** The feasible actions in a call. */
 enum reach {
     REACH_NOTHING, /**< the sequential loop */
-    REACH_LOOK,    /**< that, or a sample by one thread */
+    REACH_LOOK,    /**< the sequential loop, or a sample by one thread */
     REACH_TEAM     /**< threads may be woken */
 };
 

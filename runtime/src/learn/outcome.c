@@ -141,7 +141,7 @@ enum way redcc_arm_to_run(const struct comparison *it) {
 static void count_in_comparison(struct size_state *size, enum way way, double each, double usual) {
     struct comparison *it = &size->comparison;
     if (way != redcc_arm_to_run(it))
-        return; /* it ran sequentially for lack of credit */
+        return; /* for lack of credit, the loop ran sequentially */
     redcc_paired_note(&it->pairs, each);
     if (it->pairs.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);

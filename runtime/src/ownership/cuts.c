@@ -30,7 +30,7 @@ struct work {
     const struct sample *const *sample;
     int threads;
     struct points *points_of;     /* [array_count] the points of each group */
-    struct point *point;          /* their storage, group by group */
+    struct point *point;          /* the points' storage, group by group */
     struct point *spare;          /* scratch memory of the same length */
     struct label *label_of;       /* [iterations of the sample] */
     struct label *label_of_point; /* for each of a group's points: its iteration's label */

@@ -25,7 +25,7 @@ enum { REDCC_OWNERS_MOST = 256 }; /* maximum number of owners for a map */
 /** The part of a map for the units of one group. */
 struct group_map {
     ptrdiff_t first; /* offset of the first unit from the group's base */
-    uint32_t begin;  /* its index in the map */
+    uint32_t begin;  /* the first unit's index in the map */
     uint32_t count;  /* number of units */
     uint32_t bytes;  /* of a unit, which is one row or several */
 };
@@ -50,7 +50,7 @@ struct partition {
                          * beginning of owner o; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */
     uint32_t leader;    /* the group that determines the cuts of the others */
-    struct owner_map map; /* if present, it defines the owners instead of the cuts */
+    struct owner_map map; /* if present, defines the owners instead of the cuts */
     double share; /* if owners are kept for later executions: fraction of the iterations that the
                    * most loaded owner executed in the first one; otherwise 0 */
 };

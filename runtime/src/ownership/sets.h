@@ -15,8 +15,8 @@ struct sets {
     uint32_t owners;
     uint32_t count;    /* of sets */
     uint32_t capacity; /* of sets */
-    size_t *start; /* [capacity + 1] members of set s: member[start[s]] .. member[start[s + 1]] */
-    uint32_t *member; /* ascending within a set */
+    size_t *start;     /* [capacity + 1] set s: member[start[s]] .. member[start[s + 1] - 1] */
+    uint32_t *member;  /* ascending within a set */
     size_t member_capacity;
     uint32_t *slot; /* [slots] open-addressing hash table of set numbers; 0: free */
     uint32_t slots; /* a power of two */

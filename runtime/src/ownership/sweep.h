@@ -17,7 +17,7 @@ struct sweep {
     redcc_owner *window; /* [array_count] for each array */
     uint32_t current;    /* an owner that the current or the last iteration touches */
     bool touched;        /* the current iteration touches an element */
-    bool mixed;          /* it touches elements of several owners, those in `list` */
+    bool mixed; /* the current iteration touches several owners' elements; `list` has them */
     uint32_t last_set;
     redcc_int in_last_set; /* iterations not yet added to the summary */
     uint64_t iteration;    /* stamp of the latest iteration of several owners */

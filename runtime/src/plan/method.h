@@ -57,14 +57,14 @@ struct method {
                      * ownership/graph/divide.h); by address if that is impossible */
     bool in_levels; /* iterations are assigned to levels by such a log (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
-    bool in_bins;   /* it needs no plan, and an inspection only with REDCC_BINS_CHECKED: updates
-                     * are recorded, and applied bin by bin (bins/binning.h) */
-    bool selects;   /* its threads find their iterations during execution (execute/select.h): the
+    bool in_bins;   /* the method needs no plan, and an inspection only with REDCC_BINS_CHECKED:
+                     * updates are recorded, and applied bin by bin (bins/binning.h) */
+    bool selects;   /* threads find their iterations during execution (execute/select.h): the
                      * loop must have REDCC_SELECTS */
-    bool tiles;  /* its threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
-                  * have REDCC_TILES */
-    bool steals; /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
-                  * finish early execute. Such a method has no function `owners` */
+    bool tiles;     /* threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
+                     * have REDCC_TILES */
+    bool steals;    /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
+                     * finish early execute. Such a method has no function `owners` */
 
     /** REQUIRED with `parameter`: parses the text after the colon; 0: invalid. */
     int (*parse)(const char *text);

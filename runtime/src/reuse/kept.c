@@ -304,7 +304,7 @@ bool redcc_is_reusable(const struct request *request, const struct range *source
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
         const redcc_extent known = request->known[s];
         if (!known.end && !known.first && !redcc_range_empty(sources[s]))
-            return false; /* its range in a later call could not be determined */
+            return false; /* the source's range in a later call could not be determined */
     }
     return true;
 }

@@ -40,7 +40,7 @@ static inline size_t redcc_iteration_length(const struct unit_list *list, size_t
 
 /** The data for logging the touches of one array. */
 struct logged_array {
-    struct group_units units; /* its group's units */
+    struct group_units units; /* the units of the array's group */
     struct unit_list *list;   /* the list to which they are appended */
     struct range *seen;       /* the group's range that this thread has touched */
 };

@@ -15,7 +15,7 @@
  *     begin    one thread
  *     choose   each thread: its iterations
  *     agree    each thread: some nodes      repeatedly,
- *     join     one thread                   until join finds that there are few enough
+ *     join     one thread                   until join returns false
  *     map      each thread: its iterations
  *
  * All threads synchronise between any two of these steps. Directly before map, each thread calls

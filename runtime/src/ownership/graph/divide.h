@@ -54,8 +54,7 @@ struct divide {
 enum divide_result {
     DIVIDE_DONE,
     DIVIDE_NO_MEMORY,  /* out of memory, or after the deadline */
-    DIVIDE_UNSUITABLE, /* too many units, iterations, touches or owners, or no units
-                        */
+    DIVIDE_UNSUITABLE, /* too many units, iterations, touches or owners, or no units */
     DIVIDE_BEYOND      /* there was a touch outside of the numbered units */
 };
 

@@ -40,7 +40,7 @@ struct opened {
 };
 
 static struct opened faults;  /* the userfault descriptor, to protect pages */
-static struct opened pagemap; /* to scan them */
+static struct opened pagemap; /* to scan pages for writes */
 
 /* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking was never
  * started. */
