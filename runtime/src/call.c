@@ -122,8 +122,8 @@ redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks) {
     return NULL;
 }
 
-/* May a user be waiting for the end of the execution? Also true if its duration is unknown, as for
- * an inspection. */
+/* May the execution take more than 1 ms, so that a user may be waiting for its end? Also true if
+ * its duration is unknown, as for an inspection. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
     const bool is_inspected = !execution->call.in_bins && !execution->call.request.sections;

@@ -53,10 +53,10 @@ struct binner {
     enum bins_phase phase;
     bool begun;              /* the thread's part of the phase has begun */
     struct bins_share share; /* the thread's share of the round */
-    int pieces;              /* number taken in this round */
-    redcc_int next;          /* iterations [next, last) of its piece are not handed out yet */
+    int pieces;              /* pieces taken in this round */
+    redcc_int next;          /* iterations [next, last) of the piece are not handed out yet */
     redcc_int last;
-    redcc_int unseen;                /* iterations since it last checked for missing records */
+    redcc_int unseen;                /* iterations since the last check for missing records */
     int sample;                      /* stretches of iterations handed out for measuring */
     redcc_int measured;              /* iterations in them */
     redcc_int pushed;                /* iterations pushed in this round */

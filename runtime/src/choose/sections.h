@@ -30,9 +30,7 @@ struct sections {
 int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *sections, size_t memory_limit);
 
-/** The number of threads that execute the shares: `threads`, or one if that is faster or being
- * tried.
- */
+/** The number of threads that execute the shares: `threads`, or one if faster or on trial. */
 int redcc_sections_threads(struct sections *it, redcc_int trip, int threads);
 
 /** Records the time that `threads` threads took. */

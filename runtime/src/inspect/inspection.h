@@ -163,7 +163,8 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
 void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspector,
                         redcc_worker *worker);
 
-/** Does the read range recorded for the source overlap a touched range? If so, ends the run. */
+/** Does the range read of the source overlap an array's window? If so, or for REDCC_LEAVES, ends
+ * the run. */
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source);
 

@@ -98,7 +98,7 @@ enum result {
     RESULT_SEQUENTIAL,
     RESULT_PARALLEL,     /**< after a plan construction, if set_up > 0 */
     RESULT_UNATTRACTIVE, /**< the inspection ended after its sample, by redcc_pick_way's decision */
-    RESULT_STOPPED,      /**< ... or at its deadline */
+    RESULT_STOPPED,      /**< the inspection ended at its deadline */
     RESULT_CHANGED,      /**< the kept plan's subscripts have changed */
     RESULT_LEFT,         /**< a trial was slower than allowed; the rest ran sequentially */
     RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: all strategies */
@@ -241,8 +241,8 @@ double redcc_typical(const struct timings *timings);
 /** The same for the sequential loop. */
 double redcc_usual(const struct size_state *size);
 
-/** Seconds per iteration by that strategy. Estimates are relative to the sequential loop, whose
- *  first execution takes longer than others. */
+/** Seconds per iteration by that strategy. Estimates are scaled by the sequential loop's time,
+ * since its first execution takes longer. */
 double redcc_expected(const struct size_state *size, enum way way);
 
 /** Is that strategy feasible, and worth a trial when an iteration takes `current` seconds? */
