@@ -12,8 +12,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-/** Modes of a loop's last execution: identifier, slug, meaning. docs/report.md lists the slugs, and
- *  a test compares them. */
+/** Modes of a loop's last call: identifier, slug, meaning. docs/report.md lists the slugs, and a
+ * test compares them. */
 #define REDCC_MODE_LIST(X)                                                                         \
     X(MODE_NONE, "none", "no call had an iteration to execute")                                    \
     X(MODE_SEQUENTIAL, "sequential", "the original loop")                                          \

@@ -184,7 +184,7 @@ static void read_memory_limit(const char *value) {
 }
 
 /* The method to use. Under validation every loop must run in parallel if possible, from its first
- * call on, but auto would begin with the sequential loop and, in a short program, stay with it. */
+ * call on. Auto would begin with the sequential loop and, in a short program, stay with it. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;

@@ -78,8 +78,8 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* The estimated time of all calls before this one: that recorded at the last timing, and for
- * each call since then the shorter of this call's time and the time measured then. */
+/* The estimated time of all calls before this one: that recorded at the last timing, plus this
+ * call's time for each call since, up to `enough`. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
     return timed + (between < left ? between : left);

@@ -3,10 +3,10 @@
  * Prefetches of rows that later iterations update and read, in the executor of loop.h.
  *
  * The slice of a later iteration of the same thread computes the addresses, as it did for the
- * inspector: it reads memory that is known to be readable, and unmodified while the loop runs. The
+ * inspector. It reads memory that is known to be readable, and unmodified while the loop runs. The
  * rows that the slice itself reads are prefetched twice as far ahead, if consecutive iterations
- * read them at equal distances. A prefetch stores nothing, so no result depends on it. Of each
- * row the cache lines of its first 256 bytes and that of its last byte are prefetched.
+ * read them at equal distances. A prefetch stores nothing, so no result depends on it. Of each row
+ * the cache lines of its first 256 bytes and that of its last byte are prefetched.
  *
  * loop.h includes this file.
  */

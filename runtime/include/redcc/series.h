@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sums of floating scalars in inner loops, `e += f(i, j)`: the number of operands of an iteration
+ * Sums of floating scalars in inner loops, `e += f(i, j)`. The number of operands of an iteration
  * is not known in advance, and they must be added in the order of the sequential loop. Each thread
  * appends the operands of the iterations that it executes to its own list. At the end the first
  * thread adds them in the order of the iterations. With tiles, the thread of a band adds the

@@ -13,9 +13,9 @@
 
 /* ---- owners ---- */
 
-/** into / unit, without a division if there is a wider multiplication. With the reciprocal m =
- *  floor((2^64 - 1) / unit) + 1, m * unit exceeds 2^64 by less than `unit`, so that the high half
- *  of into * m is the quotient while into * unit < 2^64. A reciprocal of 0: none. */
+/** into / unit, without a division if there is a wider multiplication. The reciprocal is m =
+ * floor((2^64 - 1) / unit) + 1: m * unit exceeds 2^64 by less than `unit`. So the high half of m *
+ * into is the quotient while into * unit < 2^64. A reciprocal of 0: none. */
 REDCC_INLINE redcc_size redcc_quotient(redcc_size into, redcc_size unit, redcc_word reciprocal) {
 #ifdef __SIZEOF_INT128__
     __extension__ typedef unsigned __int128 redcc__wide;

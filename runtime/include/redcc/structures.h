@@ -240,7 +240,7 @@ typedef struct redcc_loop {
 } redcc_loop;
 
 /** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
- * inspection: redcc_read records the addresses, and `first` is the pointer to which they are
+ * inspection. Then redcc_read records the addresses, and `first` is the pointer to which they are
  * relative when a plan is reused. first == 0: no such pointer, or the addresses lie in several
  * objects. For a kept plan, all bytes between the first and the last one read are compared. */
 typedef struct redcc_extent {
@@ -380,9 +380,9 @@ typedef struct redcc_stream {
     redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< for each, the bytes of a row: the array's `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< REDCC_STREAM_EXACT: all updates of an array use its operator, on integers, so
-                * that they may be made in any order, and on private copies; REDCC_STREAM_SPANS: a
-                * record covers consecutive rows, and is in each bin that has some of them; or 0 */
+    int exact; /**< REDCC_STREAM_EXACT: all updates use the array's operator, on integers: any
+                  order, and private copies, are possible. REDCC_STREAM_SPANS: a record covers
+                  consecutive rows, and is in each bin that has some of them. Or 0 */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */

@@ -2,7 +2,7 @@
 /**
  * Signals are blocked while threads start, and while a loop runs in parallel if a handler may leave
  * it (escapes.h). Otherwise, a handler that left the loop by siglongjmp would leave the other
- * threads writing to its arrays; one that executed another loop would find this loop's locks held;
+ * threads writing to its arrays. One that executed another loop would find this loop's locks held,
  * and one that the program expects in its own thread could run in another. Threads that OpenMP
  * creates for the loop never run a handler. Signals with the default action, which usually ends the
  * program, are not blocked during long work: starting threads, inspections, and executions that are

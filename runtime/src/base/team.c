@@ -354,7 +354,7 @@ static bool is_one_leaving(void) {
 }
 
 /* The same as count_others, after waiting up to 1 s for ended members, or `seconds` for other
- * threads: those that OpenMP made only for the program's regions may be ending, too. */
+ * threads. Those that OpenMP made only for the program's regions may be ending, too. */
 static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
@@ -371,8 +371,8 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region in which OpenMP's threads register as members: with as many threads as the process
- * has, but the usual number if these are above 256 or threads are limited. */
+/* Opens a region in which OpenMP's threads register as members. It has as many threads as the
+ * process, but the usual number if these are above 256 or threads are limited. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;

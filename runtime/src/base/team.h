@@ -9,13 +9,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Called before a region of `threads` threads: returns how many are available (OpenMP ends a
- * program if the system refuses it a thread); 1: only the calling one; 0: the region must not
- * begin, because the thread is in a handler, which may have interrupted malloc. before: the
- * thread's mask before redcc_signals_hold. Ensures that the threads' code is not unloaded while
- * they exist, and that their stacks, if memory permits, are as large as the main thread's may
- * become. Signals must be blocked (signals.h); those with the default action are unblocked while
- * OpenMP's threads start. */
+/** Called before a region of `threads` threads: returns how many are available, since OpenMP ends a
+ * program if the system refuses it a thread. 1: only the calling one. 0: the region must not begin,
+ * because the thread is in a handler, which may have interrupted malloc. before: the thread's mask
+ * before redcc_signals_hold. Ensures that the threads' code is not unloaded while they exist, and
+ * that their stacks, if memory permits, are as large as the main thread's may become. Signals must
+ * be blocked (signals.h); those with the default action are unblocked while OpenMP's threads
+ * start. */
 int redcc_team_prepare(int threads, uint64_t before);
 
 /** At program start, binds the functions of GNU's OpenMP library that every translated loop calls.

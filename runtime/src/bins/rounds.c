@@ -16,9 +16,9 @@ enum {
     STRETCH = 64,   /* maximum iterations of a stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
-                * stretch compared with it: a shorter one finds the caches full of records, and
-                * takes too long */
+    TRIED = 16 /* the first round of a trial is this part of the loop, as is the sequential stretch
+                  compared with it. A shorter one finds the caches full of records, and takes too
+                  long */
 };
 
 /* Factors by which rates exceed the measured ones, after a measurement and after a round. A rate
@@ -186,9 +186,8 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: as many as are done or, if these would exceed
- * the trial's limit at the earlier loss per iteration, as many as stay within it. In any case at
- * least trip / TRIED. */
+/* The number of iterations of a trial's next round: as many as are done but, at the earlier loss per
+ * iteration, no more than stay within the trial's limit. At least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;

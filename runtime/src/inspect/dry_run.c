@@ -6,10 +6,10 @@
  * Most touches and reads need no call of the runtime: a touch in the array's window, and a read in
  * the source's clear range. No window overlaps a clear range. If all relevant read ranges are
  * known, a window is the gap between two of them. Otherwise it is the touched range with a margin
- * on each side, which is as long as the range but extends at most halfway to the next read range;
- * clear ranges lie between two windows. So a range that grows with each iteration is processed a
- * logarithmic number of times. A read in a margin need not overlap a touched address: then a
- * second run without margins follows.
+ * on each side, as long as the range but at most halfway to the next read range. Clear ranges lie
+ * between two windows. So a range that grows with each iteration is processed a logarithmic number
+ * of times. A read in a margin need not overlap a touched address: then a second run without
+ * margins follows.
  */
 #include "inspect/inspection.h"
 

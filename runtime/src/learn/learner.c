@@ -103,8 +103,8 @@ static double cost_of(const struct choice *c, enum way way) {
 
 /* The expected number of executions by a plan constructed now: as many as there were so far (rent
  * or buy), or only this one if the subscripts are new. If changed subscripts ended earlier plans,
- * the present ones are expected to last as long as those of the last plan (or an eighth of the
- * calls since) or, if they have lasted longer already, as long again. */
+ * the present ones are expected to last as long as the last plan's, or an eighth of the calls
+ * since. If they have lasted longer already, they are expected to last as long again. */
 static double horizon_of(const struct choice *c) {
     const struct set_ups *it = &c->size->set_ups;
     if (it->lifetime == 0)
@@ -177,7 +177,7 @@ static bool goes_without_plan(const struct choice *c) {
 }
 
 /* Seconds that a sample takes. Until a dry run was timed, it is assumed to take an execution, or a
- * 16th of one in a loop that needs no plan (0.05 was measured in loops over blocks). A deadline
+ * 16th of one in a loop that needs no plan. (0.05 was measured in loops over blocks.) A deadline
  * ends a longer one. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
@@ -233,10 +233,10 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* Takes a sample. All threads take part, so that a plan construction can follow at once, if the
- * subscripts are likely to stay, or no plan is needed, and the credit covers starting the threads.
- * An overdraft covers this if it is small compared with an execution. Otherwise one thread takes
- * the sample and waits for no other: most light loops turn out not to be worth more. */
+/* Takes a sample. All threads take part if the subscripts are likely to stay, or no plan is needed,
+ * and if the credit covers starting the threads: a plan construction can then follow at once. An
+ * overdraft covers this if it is small compared with an execution. Otherwise one thread takes the
+ * sample and waits for no other: most light loops turn out not to be worth more. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;
@@ -280,11 +280,11 @@ bool redcc_goes_at_once(const struct situation *now) {
            now->trip >= (long long)LEARN_SAMPLED * LEARN_SAMPLED;
 }
 
-/* Are bins tried before any inspection? They are if the loop cannot be inspected; if an inspection
- * begins with a dry run, which may take as long as the loop; or if iterations are so heavy that an
- * inspection may take longer than a trial of bins may lose. Heavy iterations have inner loops, and
- * the inspection records all rows that these touch (for tiles only the first and the last). The
- * first execution may be a trial that times the sequential loop as well. */
+/* Are bins tried before any inspection? They are if the loop cannot be inspected, or if an
+ * inspection begins with a dry run, which may take as long as the loop. They are also if iterations
+ * are so heavy that an inspection may take longer than a trial of bins may lose. Heavy iterations
+ * have inner loops, and the inspection records all rows that these touch (for tiles only the first
+ * and the last). The first execution may be a trial that times the sequential loop as well. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     const double usual = redcc_usual(c->size);

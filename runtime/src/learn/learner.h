@@ -8,9 +8,9 @@
  *     redcc_observe    the result of the action, and its time
  *
  * No clock, no threads, no allocation: times come with the observations. Any action that may take
- * longer than the sequential loop is paid from the credit: a 32nd of the loop's time so far, past
- * gains, and one overdraft at a time, for a plan that is expected to repay it soon. Used by one
- * thread at a time.
+ * longer than the sequential loop is paid from the credit. The credit is a 32nd of the loop's time
+ * so far, past gains, and one overdraft at a time, for a plan that is expected to repay it soon.
+ * Used by one thread at a time.
  */
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H
@@ -135,16 +135,15 @@ struct comparison {
 
 /** Plan constructions at one size. */
 struct set_ups {
-    double
-        since; /* seconds since the last one that the sequential loop took, or would have taken */
-    double factor;   /* multiple of its estimated cost that `since` must reach for another; 0: the
-                      * initial one */
+    double since;  /* seconds that the sequential loop took, or would have taken, since the last */
+    double factor; /* multiple of its estimated cost that `since` must reach for another; 0: the
+                      initial multiple */
     double invested; /* seconds that the last one took */
-    double earned;   /* seconds that its plan has saved */
+    double earned;   /* seconds that executions have saved since */
     int misses;    /* consecutive constructions whose plans were abandoned before they had saved as
                       much as they cost */
     long begun;    /* the call that made the last one */
-    long uses;     /* executions by its plan */
+    long uses;     /* parallel executions since */
     long met;      /* consecutive calls before that one that had the same subscripts */
     long lifetime; /* calls that the subscripts of the preceding plan lasted; 0: no plan ended by a
                       change */
@@ -159,8 +158,8 @@ struct size_state {
     bool looked;      /* a sample was taken, so that the arms are known */
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds per iteration of the sequential loop at the time of that sample */
-    double gained;    /* seconds gained by strategies: in the last execution or, while the credit is
-                         negative, since it became so */
+    double gained; /* seconds gained by strategies: in the last execution or, while there is a debt,
+                      since it began */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
     int checks;       /* consecutive checks in which a plan was faster */
     long calls;
@@ -209,9 +208,9 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
 /** The action in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
 
-/** An inspection has sampled the loop (`spent` seconds so far): stores the arms [WAY_COUNT] and
- *  returns the strategy whose plan construction pays and is within the credit, with its deadline
- *  from now on; ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
+/** An inspection has sampled the loop (`spent` seconds so far): stores the arms [WAY_COUNT].
+ * Returns the strategy whose plan construction pays and is within the credit, with its deadline
+ * from now on. ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct arm *arm, double spent);
 

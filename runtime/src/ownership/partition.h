@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The partition of bytes among owners: arrays that overlap form a group, each group is cut into one
- * consecutive part per owner, and part o of every group belongs to owner o.
+ * The partition of bytes among owners: arrays that overlap form a group, and each group is cut into
+ * one consecutive part per owner. Part o of every group belongs to owner o.
  */
 #ifndef REDCC_PARTITION_H
 #define REDCC_PARTITION_H
@@ -44,8 +44,8 @@ struct partition {
      * stealable blocks: small parts for threads that finish early */
     uint32_t stealable;
     uintptr_t *base;    /* [array_count] the arrays' first elements */
-    uint32_t *group_of; /* [array_count] its group, identified by one of the group's arrays: the one
-                         * with the largest unit */
+    uint32_t *group_of; /* [array_count] the array's group, identified by the group's array with the
+                           largest unit */
     uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is the
                          * beginning of owner o; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */

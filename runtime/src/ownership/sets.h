@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sets of owners, each stored once and identified by a number: 0 is the empty set, 1 + o the set
+ * Sets of owners, each stored once and identified by a number. 0 is the empty set, 1 + o the set
  * {o}; larger ones follow in the order of their first use.
  */
 #ifndef REDCC_SETS_H

@@ -2,7 +2,7 @@
 /**
  * Converts an inspector's recorded addresses to an access summary. One sweep per thread.
  *
- * The usual case, a touch of the same owner as before, makes no entry (redcc_touch): `window` is
+ * The usual case, a touch of the same owner as before, makes no entry (redcc_touch). `window` is
  * the part of an array that the current owner owns, within the range that this thread has touched
  * so far. So a touch inside it neither widens that range nor changes the owner.
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Computes fingerprints of the subscripts; each thread hashes a share. This is done piece by piece
- * during the inspection, behind the thread's iterations: most loops read their subscripts in the
+ * during the inspection, behind the thread's iterations. Most loops read their subscripts in the
  * order of the iterations, so that these are still in the caches.
  */
 #ifndef REDCC_HASHING_H

@@ -6,7 +6,7 @@
  * log, without a graph of the units.
  *
  * In each round every node (a unit, later a cluster) chooses the node of lowest rank among itself
- * and all nodes that iterations connect it to; ranks come from a hash. The choices form trees: a
+ * and all nodes that iterations connect it to. Ranks come from a hash. The choices form trees: a
  * node that chooses itself is a root. Each tree becomes one node of the next round (Boruvka's
  * hooking), or several if it is too large or too deep. A round reduces a mesh's nodes by a factor
  * of about seven. All threads process their iterations concurrently; the result is independent of

@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* An iteration of up to CLIQUE units adds an edge for each pair of them; one with more units adds a
+/* An iteration of up to CLIQUE units adds an edge for each pair of them. One with more units adds a
  * ring of edges between consecutive units, so that the number of edges stays proportional to the
  * touches. */
 enum { CLIQUE = 4 };

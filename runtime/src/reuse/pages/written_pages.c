@@ -113,7 +113,7 @@ static bool protect(struct range pages) {
     return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* A page counts as touched if it has no mark or is not present: if a whole page table was dropped,
+/* A page counts as touched if it has no mark or is not present. If a whole page table was dropped,
  * as by MADV_DONTNEED, kernels before July 2026 do not report the write. */
 static bool untouched(struct range pages) {
     struct watch_region found;
