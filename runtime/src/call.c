@@ -189,7 +189,6 @@ static void take_settings(struct call *call, const struct settings *settings, in
     call->error_before = error_before;
 }
 
-/* Auto's decision for this call. */
 static struct advice advice_for(struct execution *execution, int threads) {
     struct loop_state *state = execution->state;
     execution->reuse.sampled = 0;

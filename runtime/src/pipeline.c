@@ -275,7 +275,6 @@ static enum stage choose_method(struct execution *execution) {
     return begin_plan(execution, method);
 }
 
-/* The stage after all touches are logged. */
 static enum stage after_log(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     switch (redcc_log_finish(inspection)) {

@@ -179,7 +179,6 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
     return buffer->used++ * BLOCK;
 }
 
-/* Records that were pushed. */
 static redcc_int count_records(const struct redcc_bin_buffer *buffer) {
     redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;
     for (uint32_t bin = 0; bin < buffer->bins; bin++)

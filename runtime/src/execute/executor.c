@@ -292,7 +292,6 @@ static void finish(redcc_worker *worker) {
         redcc_run_check(worker, plan->trip);
 }
 
-/* Raises the flag of the executed chunk. */
 static void raise_flag(const struct plan *plan, const struct chunk *chunk) {
     if (chunk->flag)
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);

@@ -134,7 +134,6 @@ static uintptr_t least(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* The range with a margin on each side. */
 static struct range with_margin(const struct gap *gap) {
     const size_t size = redcc_range_size(gap->range);
     return (struct range){gap->range.first - least(size, (gap->range.first - gap->free.first) / 2),

@@ -267,7 +267,6 @@ static struct decision take_up(const struct choice *c, enum way way) {
     return reuse(c, way, RULE_FASTER);
 }
 
-/* Constructs a plan, if that is worth it. */
 static struct decision decide_set_up(const struct choice *c) {
     if (redcc_misses(&c->size->set_ups) >= LEARN_STABLE / 2 && c->now->steady >= 0 &&
         c->now->steady < LEARN_STABLE / 2)

@@ -219,7 +219,6 @@ static void mark_boundary(struct divide *divide, int thread) {
     }
 }
 
-/* Lists the iterations that touch a boundary unit. */
 static bool list_boundary(struct divide *divide, int thread) {
     const struct unit_list *logged = &divide->logged[thread].leading;
     struct unit_list *list = &divide->boundary.list[thread];
