@@ -60,14 +60,14 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
-    case REASON_SAVING: /* an inspection took place */
+    case REASON_SAVING: /* after a sample by one thread */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;
     }
 }
 
-/* Does the reason concern one strategy, or (SEQUENTIAL) all of them? */
+/* The strategy that the reason concerns; SEQUENTIAL: all strategies. */
 static enum way way_concerned(const struct execution *execution) {
     if (execution->call.in_bins)
         return WAY_BINS;
@@ -175,8 +175,8 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
-    const bool built = execution->inspected && !plan->method->selects; /* whose plans are not
-                                                                        * kept */
+    const bool built =
+        execution->inspected && !plan->method->selects; /* auto keeps no plans that select */
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),

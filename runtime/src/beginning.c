@@ -18,9 +18,9 @@
 
 enum {
     LEAST_TRIP = 64,
-    PART = 64,      /* one iteration in this number is timed */
+    PART = 64,      /* the first trip / PART iterations are timed */
     PIECES = 4,     /* number of pieces that are timed separately */
-    MOST_ARRAYS = 8 /* more than any translated loop has */
+    MOST_ARRAYS = 8 /* no translated loop has more */
 };
 
 /* Seconds of sequential time. Above this, the other iterations may repay the extra cost of a first

@@ -6,7 +6,8 @@
 
 #include <errno.h>
 
-/* Continues after the last round, with the same result in all threads. */
+/* After the last round: redcc_next hands out the rest of the loop, or its repetition for
+ * validation, to the first thread. */
 static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;

@@ -38,14 +38,16 @@ static bool is_always_planned(const struct settings *settings) {
            (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
 }
 
-/* Compensated sums are added in the order of the loop, each element by one thread. */
+/* Compensated sums are added in the order of the loop, each element by one thread: by
+ * LOCALWRITE. */
 static const struct method *method_of(const struct settings *settings) {
     if (!settings->method && settings->compensated)
         return &redcc_method_localwrite;
     return settings->method;
 }
 
-/* May a single thread execute by a plan? With lanes it may be faster than the sequential loop. */
+/* May a single thread execute the loop by a plan or in bins? With lanes it may be faster than the
+ * sequential loop. */
 static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
     enum lanes_reason unused;
     const bool in_bins = settings->method && settings->method->in_bins;
@@ -120,8 +122,8 @@ redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks) {
     return NULL;
 }
 
-/* May a user be waiting for the end of the execution? Also true if its duration is unknown, as for
- * an inspection. */
+/* May the execution take more than 1 ms, so that a user may be waiting for its end? Also true if
+ * its duration is unknown, as for an inspection. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
     const bool is_inspected = !execution->call.in_bins && !execution->call.request.sections;
@@ -130,7 +132,7 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* Ends the execution and releases the loop. Its data must not be used afterwards. */
+/* Ends the execution and releases the loop, whose state must not be used afterwards. */
 static void end(struct loop_state *state) {
     const struct within within = state->execution.within;
     redcc_loop_release(state);
@@ -187,7 +189,6 @@ static void take_settings(struct call *call, const struct settings *settings, in
     call->error_before = error_before;
 }
 
-/* Auto's decision for this call. */
 static struct advice advice_for(struct execution *execution, int threads) {
     struct loop_state *state = execution->state;
     execution->reuse.sampled = 0;
@@ -254,7 +255,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* The number of threads to request. */
+/* The number of threads to request. With compensated sums no sequential execution is timed, so that
+ * a short loop gets one thread. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
@@ -531,8 +533,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     if (number == 0) {
         redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
-        if (!execution->advice.alone || execution->call.request.sections ||
-            is_dry) /* only a dry run is so long that a user may wait for its end */
+        /* with one thread, only a dry run is so long that a user may wait for its end */
+        if (!execution->advice.alone || execution->call.request.sections || is_dry)
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
     }

@@ -3,8 +3,8 @@
  * The state of a loop over its executions, of one execution, and of one thread in it.
  *
  * The thread that holds the loop (busy) fills the execution in redcc_enter. In the region each
- * thread has its state. Shared state is written only by the last thread to arrive at the end of a
- * stage (pipeline.h), while the others wait.
+ * thread has its state. Shared state is written by the last thread to arrive at the end of a stage
+ * (pipeline.h) or, in bins, by the first thread, while the others wait.
  */
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
@@ -34,8 +34,8 @@ struct execution {
     struct run run;
     bool binned;        /* the execution was binned, entirely or in its first rounds */
     enum stage stage;   /* the next stage of all threads, after a barrier */
-    enum reason reason; /* why there is no plan */
-    double woken;       /* s, arrival of the region's last thread; 0: none arrived */
+    enum reason reason; /* why there is no plan, or why a binned loop's rest is sequential */
+    double woken;       /* s, arrival of the thread with the highest number; 0: not yet */
     struct barrier barrier;
 };
 
@@ -47,8 +47,8 @@ struct thread_state {
     int threads;
     enum stage stage;
     bool telling;               /* iterations to record were handed out in this stage */
-    int node;                   /* its last NUMA node (base/node.h); -1: unknown */
-    bool moved;                 /* its node differs from that in the previous execution */
+    int node;                   /* the thread's last NUMA node (base/node.h); -1: unknown */
+    bool moved;                 /* this node differs from that in the previous execution */
     struct inspector inspector; /* sample, sweep, log, partition */
     struct hasher hasher;       /* verify, sweep, plan */
     struct binner *binner;      /* NULL unless the loop can be binned */

@@ -22,7 +22,7 @@ struct named_loop {
     char *file; /* as the user wrote it */
     int line;
     struct named_method as;
-    struct settings *settings; /* for that loop, after the first read; NULL: out of memory */
+    struct settings *settings; /* for that loop, once the settings are read; NULL: out of memory */
     atomic_int met;            /* the loop was executed */
 };
 

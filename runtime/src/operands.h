@@ -12,10 +12,11 @@
  * memory, since the loop's arrays and plans need memory, too. */
 size_t redcc_operands_most_bytes(void);
 
-/** Sets attempt->operands; false: memory is lacking (which is reported), and none is allocated. */
+/** Sets attempt->operands and attempt->series. False: trip is not positive, or memory is lacking
+ * (which is reported); none is allocated. */
 bool redcc_operands_alloc_all(redcc_loop *loop, const redcc_attempt *attempt);
 
-/** Frees attempt->operands. */
+/** Frees both. */
 void redcc_operands_free_all(const redcc_attempt *attempt);
 
 #endif

@@ -20,7 +20,7 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
 /* ---- verify ---------------------------------------------------------------------------------- */
 
 /* A named method may use any kept plan of it; auto only a plan of the strategy that it has chosen.
- * Of the plans without schedules, only those for tiles are kept, because they do not depend on
+ * Of auto's plans without schedules, only those for tiles are kept, because they do not depend on
  * subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
@@ -275,7 +275,6 @@ static enum stage choose_method(struct execution *execution) {
     return begin_plan(execution, method);
 }
 
-/* The stage after all touches are logged. */
 static enum stage after_log(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     switch (redcc_log_finish(inspection)) {

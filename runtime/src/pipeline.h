@@ -20,11 +20,11 @@
  *                               extents (REDCC_BINS_CHECKED): in-order binning    bins/
  *     redcc_next     run        chunks, copies and their merge, hooks             execute/
  *     ------------------------------------------------------------------------------------------
- *     redcc_leave    updates the report, informs auto, keeps the plan             account.c
+ *     redcc_leave    updates the report, informs auto, keeps the plan             call.c
  *
  * A stage is two functions in one table (pipeline.c): every thread calls `each`; when all have
  * finished, one thread calls `then`, which returns the next stage. All other decisions are in
- * choose/. Rooms include each other in one direction: base, ownership, plan, {inspect, reuse,
+ * choose/. The folders include each other in one direction: base, ownership, plan, {inspect, reuse,
  * execute, bins}, choose, and the files of this folder (script/rooms).
  */
 #ifndef REDCC_PIPELINE_H

@@ -178,8 +178,8 @@ static bool write_through(const char *name, const char *head, const char *others
 }
 
 /* Writes the report under a temporary name in the same directory, then renames it, so that no
- * reader sees an incomplete report. False if no file can be created there; the file itself may
- * still be writable. */
+ * reader sees an incomplete report. If no file can be created there, writes the file itself. False:
+ * writing failed. */
 static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
     char *beside = redcc_memory_alloc(room);

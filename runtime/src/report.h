@@ -12,8 +12,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-/** Modes of a loop's last execution: identifier, slug, meaning. docs/report.md lists the slugs, and
- *  a test compares them. */
+/** Modes of a loop's last call: identifier, slug, meaning. docs/report.md lists the slugs, and a
+ * test compares them. */
 #define REDCC_MODE_LIST(X)                                                                         \
     X(MODE_NONE, "none", "no call had an iteration to execute")                                    \
     X(MODE_SEQUENTIAL, "sequential", "the original loop")                                          \
@@ -50,7 +50,7 @@ struct last_execution {
 
 /** Costs of parallel executions other than time. */
 struct extra_work {
-    size_t bytes;       /* the largest plan */
+    size_t bytes;       /* of the largest plan, or of the most memory for bins */
     redcc_int executed; /* iterations, counting replicated ones */
 };
 
@@ -127,7 +127,7 @@ void redcc_report_lost(struct statistics *statistics, const char *array);
 
 enum { REDCC_BROKEN = 3 /* exit status */ };
 
-/** Prints the validation's results to standard error: a line for each loop, and the number of loops
+/** Prints the validation's results to standard error: lines for each loop, and the number of loops
  * that ran in parallel. Returns whether there was an error. */
 bool redcc_report_validation(void);
 
@@ -136,7 +136,8 @@ bool redcc_report_validation(void);
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 
-/** Called at the first translated loop: seconds and lost cores are counted from here. */
+/** Called when the settings are read, with REDCC_REPORT by the first translated loop: seconds and
+ * lost cores are counted from here. */
 void redcc_report_begin(void);
 
 /** Should the report advise OMP_WAIT_POLICY=passive, because cores were preempted `lost` times in

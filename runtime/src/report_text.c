@@ -96,7 +96,7 @@ static void write_fallback(FILE *out, const char **separator, enum reason reason
     *separator = ", ";
 }
 
-/* Writes the number of lanes of the last parallel execution, if any. */
+/* Writes the number of lanes of the last parallel execution (1: one by one), with the reason. */
 static void write_lanes(FILE *out, const struct statistics *it) {
     fprintf(out, ", \"lanes\": %d", it->last.lanes > 0 ? it->last.lanes : 1);
     write_text(out, "lanes_why", redcc_lanes_slug(it->last.lanes_reason));

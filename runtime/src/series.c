@@ -19,9 +19,8 @@
 #include <assert.h>
 
 enum {
-    BLOCK_OPERANDS = 8192 - 8,
-    /* so many operands and the two pointers of an operand_block take less than 64 KiB */ HEAD =
-        offsetof(redcc_series_part, value) / sizeof(double)
+    BLOCK_OPERANDS = 8192 - 8, /* an operand_block, with its pointers, takes less than 64 KiB */
+    HEAD = offsetof(redcc_series_part, value) / sizeof(double) /* the head of a part, in operands */
 };
 
 /* A block of memory for operands; written by one thread. */

@@ -19,13 +19,13 @@
 #include <string.h>
 
 /* The least trip count for a call of the runtime with short iterations. These take some
- * nanoseconds, or 0.3 microseconds with mathematical functions; fewer of them take too little time
- * for a state (unmade.c). The call costs 20 to 30 nanoseconds, a tenth of 200 iterations. */
+ * nanoseconds; fewer of them take too little time for a state (unmade.c). The call costs 20 to 30
+ * nanoseconds, a tenth of 200 iterations. */
 enum { LEAST_TRIP = 1024 };
 
 /* The number of short iterations before the first call of the runtime, which costs 2 microseconds
  * for page faults. Iterations take at least 0.3 ns each, so the call costs at most a twentieth of
- * this time. With the longest iterations this time is 0.04 s. */
+ * this time. With iterations of 0.3 microseconds (mathematical functions) this time is 0.04 s. */
 enum { EXEMPT_ITERATIONS = 1 << 17 };
 
 redcc_int redcc_least_trip;
@@ -184,7 +184,7 @@ static void read_memory_limit(const char *value) {
 }
 
 /* The method to use. Under validation every loop must run in parallel if possible, from its first
- * call on, but auto would begin with the sequential loop and, in a short program, stay with it. */
+ * call on. Auto would begin with the sequential loop and, in a short program, stay with it. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;

@@ -16,9 +16,9 @@ static const double least_seconds = LEARN_WAKES * LEARN_SAMPLE / 40;
 static const double enough = 12.5 * LEARN_SAMPLE;
 
 enum {
-    SIZE_BITS = 7,    /* widths of the word's fields above the lowest bit, which is 1: of `size`, */
-    NUMBER_BITS = 12, /* of `left` and of `length`, */
-    EARNED_BITS = 13  /* earned */
+    SIZE_BITS = 7,    /* bits of the word's field `size`, above the lowest bit, which is 1 */
+    NUMBER_BITS = 12, /* bits of `left`, and of `length` */
+    EARNED_BITS = 13  /* bits of `earned` */
 };
 
 _Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");
@@ -78,8 +78,8 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* The estimated time of all calls before this one: that recorded at the last timing, and for
- * each call since then the shorter of this call's time and the time measured then. */
+/* The estimated time of all calls before this one: that recorded at the last timing, plus this
+ * call's time for each call since, up to `enough`. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
     return timed + (between < left ? between : left);

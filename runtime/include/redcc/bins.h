@@ -14,10 +14,10 @@
  *
  * Iterations may be pushed more than once: the records of the earlier attempt are discarded. So a
  * loop has this form only if executing its body twice leaves the same state as executing it once,
- * and if the body may run before its reads are compared with its writes: no address that it loads
- * from or stores to, no divisor and no bound of an inner loop comes from memory that is not proved
- * disjoint from the reduction arrays. Its other reads are in the loop's sources. A loop with any
- * other body is marked REDCC_BINS_CHECKED.
+ * and if the body may run before its reads are compared with its writes. For this, its addresses,
+ * divisors and bounds of inner loops must come from memory that is proved disjoint from the
+ * reduction arrays. Its other reads are in the loop's sources. A loop with any other body is marked
+ * REDCC_BINS_CHECKED.
  *
  * Like runtime.h, this header includes no system header and compiles as C89 with GNU extensions.
  */
@@ -286,8 +286,8 @@ REDCC_RECORDS(double);
 REDCC_RECORDS(float);
 
 /** Precedes a REDCC_APPLY whose records update floats several times. gcc 12 packs neighbouring
- *  updates (SLP) and omits the roundings to float between them: for float x, y and double operands
- *  in `x += d; x += e; y -= f; y += g;`. */
+ * updates (SLP) and omits the roundings to float between them. For float x, y and double operands:
+ * `x += d; x += e; y -= f; y += g;`. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define REDCC_ROUNDED __attribute__((__optimize__("no-tree-slp-vectorize")))
 #else

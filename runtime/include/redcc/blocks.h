@@ -19,8 +19,9 @@
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)) / (redcc_step)) + 1    \
          : 0)
 
-/** The number of blocks. _LONG is for long iterations. For short iterations it is a power of two,
- * so that 2, 4 or 8 threads get equal shares, with at least 64 iterations per block. */
+/** The number of blocks. _LONG is for long iterations. For short iterations it is redcc_max or a
+ * smaller power of two (2, 4 or 8 threads get equal shares); several blocks have at least 64
+ * iterations each. */
 #define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
     ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
 #define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)

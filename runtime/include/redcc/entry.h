@@ -54,7 +54,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
 typedef struct redcc_kept_row {
     redcc_u32 array;
     redcc_u32 bytes;
-    void *row;    /* its address in the array */
+    void *row;    /* the row's address in the array */
     void *values; /* the body's contributions */
 } redcc_kept_row;
 

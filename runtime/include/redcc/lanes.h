@@ -168,8 +168,8 @@ REDCC_VECTOR_INLINE redcc_floats redcc_lanes_fabsf(redcc_floats value) {
 }
 
 /** Tests at run time that in vector functions a product is rounded before an addition, and that a
- *  constant is a double: no macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
- *  -fsingle-precision-constant. */
+ * constant is a double. No macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
+ * -fsingle-precision-constant. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_round_alike(void) {
     const volatile double factor = 134217729.0, less = 18014398777917440.0;
     const volatile double square = factor * factor, rest = square - less;

@@ -106,7 +106,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
             redcc_progression_row(&redcc__context.redcc__progressions[redcc_i], redcc__row,        \
                                   sizeof(redcc_row), redcc__end, redcc__trip);                     \
     } while (0)
-/* A function and not a macro, because it is called before the loop, once per source. */
+/* A function and not a macro: it is called only before the loop. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
@@ -139,7 +139,7 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** What redcc_run has set; 0: nothing yet. Another thread may set it at the same time. */
+/** The table that redcc_run has set; 0: none yet. Another thread may set it at the same time. */
 REDCC_INLINE const redcc_calls *redcc_calls_of(const redcc_site *site) {
     return __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
 }

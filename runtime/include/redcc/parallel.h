@@ -41,7 +41,7 @@
  *                                                      description gives by redcc_reads_named
  *     redcc_updates_bytes(it, ARRAY, address, bytes)   the same if rows do not begin at
  *     redcc_reads_bytes(it, SOURCE, address, bytes)    a constant base
- *     redcc_reads_ahead(it, base, row)                 base[row] is read; only for prefetches
+ *     redcc_reads_ahead(it, base, row)                 base[row] is read, but not recorded
  *
  * BODY. It writes to the arrays only by these calls and reads none of them. It may be executed more
  * than once for one iteration, so its only effects are its updates. ARRAY is a constant.
@@ -88,9 +88,8 @@
  * returns 0. With -DREDCC_OFF it refers to none. Your own flags compile it: no OpenMP option is
  * needed, and none interferes. C89 with GNU extensions to C23, and C++; gcc 9, clang 14 and later.
  * Sizes are in bytes unless they are called rows or counts. Detected misuse stops the program with
- * a message in files compiled without optimisation or with -DREDCC_CHECKED. Including this file
- * forbids the contraction of a * b + c in the rest of the file, as two copies of one expression
- * would be contracted differently.
+ * a message. Including this file forbids the contraction of a * b + c in the rest of the file, as
+ * two copies of one expression would be contracted differently.
  */
 /* clang-format on */
 #ifndef REDCC_PARALLEL_H

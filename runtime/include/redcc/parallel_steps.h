@@ -102,9 +102,9 @@ REDCC_INLINE void redcc_describe_named(redcc_description *it, redcc_u32 source, 
 /* ---- slices: all fields are constants in each use ---- */
 
 typedef struct redcc_slice {
-    redcc_probe *probe;   /* not 0: compares with known ranges */
-    redcc_worker *worker; /* 0: prefetches */
-    redcc_u32 sources;    /* not 0: reports only reads of the sources with these bits */
+    redcc_probe *probe;   /* not 0: the slice compares with known ranges */
+    redcc_worker *worker; /* 0: the slice prefetches */
+    redcc_u32 sources;    /* not 0: the slice reports only reads of the sources with these bits */
 } redcc_slice;
 
 REDCC_INLINE void redcc_fetch(redcc_size address, redcc_size bytes) {
@@ -179,8 +179,8 @@ REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
  *  elements; KEEPING: pushes them to bins; COPYING: makes them on private copies. */
 enum { REDCC_PLAIN = 0, REDCC_OWNED = 1, REDCC_KEEPING = 2, REDCC_COPYING = 3 };
 
-/** The open rows, and memory for their values. Separate from redcc_body: the address of that must
- * not escape, so that its fields stay in registers. */
+/** The open rows, and memory for their values. Separate from redcc_body, whose address must not
+ * escape, so that its fields stay in registers. */
 typedef struct redcc_rows {
     redcc_kept_row kept[REDCC_MOST_ROWS];
     char values[REDCC_ROWS_BYTES] __attribute__((__aligned__(16)));
@@ -193,7 +193,7 @@ typedef struct redcc_body {
     redcc_rows *rows;
     redcc_worker *worker;
     const redcc_array *arrays;
-    const redcc_stream *streams; /* of each array; 0: updates are not pushed */
+    const redcc_stream *streams; /* each array's; 0: updates are not pushed */
     const redcc_bins *bins;      /* of each array */
     void *base[REDCC_MOST_ARRAYS];
     redcc_owner owner[REDCC_MOST_ARRAYS];
@@ -282,7 +282,7 @@ REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, re
 REDCC_INLINE void *redcc_row_of(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     switch (it->mode) {
     case REDCC_PLAIN:
-#if !defined(__clang__) /* gcc would recompute &row[c] for each c: 8 % of springs */
+#if !defined(__clang__) /* gcc would recompute &row[c] for each c: 8 % of the time of springs */
         __asm__("" : "+r"(row));
 #endif
         return row;
@@ -307,7 +307,7 @@ REDCC_INLINE void redcc_push_number(const redcc_body *it, redcc_u32 array, const
                record);
 }
 
-#ifdef __clang__ /* it would warn if it does not unroll, for instance under sanitizers */
+#ifdef __clang__ /* clang would warn where it does not unroll, as under sanitizers */
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif

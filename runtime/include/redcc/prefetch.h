@@ -3,10 +3,10 @@
  * Prefetches of rows that later iterations update and read, in the executor of loop.h.
  *
  * The slice of a later iteration of the same thread computes the addresses, as it did for the
- * inspector: it reads memory that is known to be readable, and unmodified while the loop runs. The
+ * inspector. It reads memory that is known to be readable, and unmodified while the loop runs. The
  * rows that the slice itself reads are prefetched twice as far ahead, if consecutive iterations
- * read them at equal distances. A prefetch stores nothing, so no result depends on it. Of each
- * row the cache lines of its first 256 bytes and that of its last byte are prefetched.
+ * read them at equal distances. A prefetch stores nothing, so no result depends on it. Of each row
+ * the cache lines of its first 256 bytes and that of its last byte are prefetched.
  *
  * loop.h includes this file.
  */
@@ -18,7 +18,7 @@
 enum { redcc__prefetches = 0 };
 
 /** In the block of a loop: its executor prefetches this number of iterations ahead, if the runtime
- * finds that profitable. So many iterations take as long as a memory access. A larger distance
+ * finds that profitable. These iterations take as long as a memory access. A larger distance
  * occupied more entries of the first-level TLB and was slower on shuffled data. */
 #define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
@@ -28,8 +28,8 @@ enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
 /** Prefetches a row. The address need not be valid. */
 REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
-    /* Rows of 8-byte numbers begin at a multiple of 8: no line lies between two bytes at a distance
-     * of up to 71 bytes. */
+    /* Rows of 8-byte numbers begin at a multiple of 8: no third line lies between those of two
+     * bytes up to 71 bytes apart. */
     const redcc_size apart = redcc_prefetch_line - 1 + (bytes % 8 == 0 ? 8 : 1);
     redcc_size at = 0;
     __builtin_prefetch((const void *)(redcc_size)address);
@@ -54,8 +54,8 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
     ((int)(sizeof redcc__context->redcc__progressions /                                            \
            sizeof *redcc__context->redcc__progressions))
 
-/** Sets a progression from the row that iteration 0 reads and (is_last) that iteration trip - 1
- * reads.
+/** Sets a progression. Called with the row that iteration 0 reads, then (is_last) with that of
+ * iteration trip - 1.
  */
 static __attribute__((__noinline__, __unused__)) void
 redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes, int is_last,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Orders of rows and iterations that improve locality, for a program that may renumber its mesh:
- * first the rows, by the graph of the iterations that update them or along a curve through their
- * points; then the iterations, by their rows.
+ * Orders of rows and iterations that improve locality, for a program that may renumber its mesh.
+ * First it orders the rows, by the graph of the iterations that update them or along a curve
+ * through their points; then the iterations, by their rows.
  *
  * An order is a permutation new_of_old: record i becomes record new_of_old[i].
  * redcc_reorder_records moves data from one order to another, and back.

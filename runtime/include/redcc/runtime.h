@@ -85,8 +85,9 @@
  *   nested   the caller is already inside a parallel region
  * Returns 1 if call->threads threads are to call redcc_join. Returns 0 if the loop is to run
  * serially (few iterations, one thread, nested or concurrent use, or as a method or order
- * requires). Stops the program with a message if REDCC_METHOD or REDCC_ORDER is unknown, or if no
- * method satisfies both. bases, known and key are read before it returns. Thread-safe.
+ * requires). Stops the program with a message if REDCC_METHOD or REDCC_ORDER is unknown, or if the
+ * named method does not keep an order that is named explicitly. bases, known and key are read
+ * before it returns. Thread-safe.
  */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
@@ -111,8 +112,8 @@ int redcc_are_linked(const redcc_callee *called, redcc_size count,
 /** Counts an execution of the original loop because of replaced functions. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
-/** Is the calling thread the only running thread of the process? OpenMP's idle threads do not
- * count. */
+/** Is the calling thread the process's first, and the only one that runs? OpenMP's idle threads do
+ * not count. */
 int redcc_is_alone(redcc_loop *loop);
 
 /** Makes a crew of the calling thread's team, all of whose threads reach the loop: the first one
@@ -145,8 +146,8 @@ int redcc_next(redcc_worker *worker);
 int redcc_claims_last(redcc_worker *worker);
 
 /** Called by redcc_owns: may this thread write at `address`? If so, the runtime prepares the update
- *  that follows (lock, compensation, validation), of this element or of several in its unit. Cold,
- * as is redcc_flush. */
+ * that follows (lock, compensation), of this element or of several in its unit. Cold, as is
+ * redcc_flush. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
 /** The part of redcc_leave after redcc_enter returned 1. */

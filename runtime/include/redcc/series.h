@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sums of floating scalars in inner loops, `e += f(i, j)`: the number of operands of an iteration
+ * Sums of floating scalars in inner loops, `e += f(i, j)`. The number of operands of an iteration
  * is not known in advance, and they must be added in the order of the sequential loop. Each thread
  * appends the operands of the iterations that it executes to its own list. At the end the first
  * thread adds them in the order of the iterations. With tiles, the thread of a band adds the
@@ -35,16 +35,15 @@ struct redcc_series_part {
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part *part; /**< of the current iteration; NULL: it has none yet */
-    double *begin;           /**< the part's first operand; NULL: the part is complete */
-    double *at, *end;        /**< address for the next operand, and the limit */
-    double *block_end;       /**< the end of the memory block that `at` points into */
-    int adds;                /**< the thread adds operands directly and stores none */
-    int begins;              /**< `adds` is set, and no operand was added yet */
-    int follows;             /**< another thread stores the operands of the current iteration */
-    int in_front; /**< the thread adds, because it has executed all iterations before `next` itself
-                   */
-    int added;    /**< in_front: it has added an operand */
+    redcc_series_part *part;  /**< of the current iteration; NULL: it has none yet */
+    double *begin;            /**< the part's first operand; NULL: the part is complete */
+    double *at, *end;         /**< address for the next operand, and the limit */
+    double *block_end;        /**< the end of the memory block that `at` points into */
+    int adds;                 /**< the thread adds operands directly and stores none */
+    int begins;               /**< `adds` is set, and no operand was added yet */
+    int follows;              /**< another thread stores the operands of the current iteration */
+    int in_front;             /**< the thread executed all iterations before `next`: it adds */
+    int added;                /**< in_front: it has added an operand */
     redcc_int next;           /**< operands from this iteration on are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
     struct operand_block *first, *block; /**< the thread's blocks: the first, that of `at` */

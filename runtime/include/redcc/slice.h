@@ -9,9 +9,9 @@
 #include <redcc/entry.h>
 #include <redcc/prefetch.h>
 
-/** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__recorder 0 if they
- * are prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
- * sources. All are constants, so that each use of the function is compiled separately. */
+/** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__worker 0 if they are
+ * prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
+ * sources. In each use it is constant which of these are 0, so that each is compiled separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
@@ -65,8 +65,8 @@ enum { redcc__by_calls = 0 };
         return;                                                                                    \
     }
 
-/** Makes the owner of the row that is touched next the leader of the iteration, who executes all of
- * it (redcc/series.h). */
+/** Makes the owner of the row that is touched next the leader of the iteration, which executes all
+ * of it (redcc/series.h). */
 #define REDCC_LEADER                                                                               \
     if (redcc__probe)                                                                              \
         redcc__probe->preferred = 1;

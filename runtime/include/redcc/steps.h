@@ -13,9 +13,9 @@
 
 /* ---- owners ---- */
 
-/** into / unit, without a division if there is a wider multiplication. With the reciprocal m =
- *  floor((2^64 - 1) / unit) + 1, m * unit exceeds 2^64 by less than `unit`, so that the high half
- *  of into * m is the quotient while into * unit < 2^64. A reciprocal of 0: none. */
+/** into / unit, without a division if there is a wider multiplication. The reciprocal is m =
+ * floor((2^64 - 1) / unit) + 1: m * unit exceeds 2^64 by less than `unit`. So the high half of m *
+ * into is the quotient while into * unit < 2^64. A reciprocal of 0: none. */
 REDCC_INLINE redcc_size redcc_quotient(redcc_size into, redcc_size unit, redcc_word reciprocal) {
 #ifdef __SIZEOF_INT128__
     __extension__ typedef unsigned __int128 redcc__wide;
@@ -212,8 +212,8 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
     const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
     const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
     const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
-    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row; */
-    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last */
+    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row */
+    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last whole row */
     return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
 }
 
@@ -314,7 +314,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 
 /* ---- bins ---- */
 
-/** The number of records of `bytes` bytes that exactly fill cache lines, at most 32. */
+/** The least number of records of `bytes` bytes that exactly fill cache lines: at most 32. 1 if
+ * they are empty. */
 #define REDCC_LINE_RECORDS(bytes)                                                                  \
     ((bytes) == 0                                                                                  \
          ? 1u                                                                                      \

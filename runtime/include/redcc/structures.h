@@ -84,8 +84,8 @@ enum {
      * (another member of their structures). It may overlap only scalars. */
     REDCC_OVERLAPS_NO_ARRAY = 8
 };
-/** The elements that belong to one iteration are such scalars. This flag identifies their base; two
- * such sources with the same base are disjoint. */
+/** Elements that belong to one iteration count as such scalars (REDCC_IS_SCALAR). This flag
+ * identifies their base: two such sources with the same base are disjoint. */
 #define REDCC_SCALAR_BASE(redcc_base) ((redcc_base)*256)
 
 /** The address of any function. */
@@ -145,8 +145,8 @@ enum {
     REDCC_BINNED = 16,
     /** Its executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Multiplied by 2 or 4, the number of iterations executed at once (lanes.h), on a processor
-     * with AVX2. */
+    /** Multiplied by 2 or 4: the number of iterations executed at once (lanes.h). x86-64: with
+     * AVX2. */
     REDCC_LANES_UNIT = 64,
     /** The same on any processor. */
     REDCC_LANES_ANYWHERE = 1024,
@@ -155,7 +155,7 @@ enum {
      * inspection. If an iteration would update an address in `known`, worker->last becomes 0 and
      * the slice returns immediately. */
     REDCC_DRY_RUN = 2048,
-    /** The same, also if redcc_is_over finds an update of an address that was recorded as read. */
+    /** The same, also for an update of an address that was recorded as read (redcc_is_over). */
     REDCC_DRY_RUN_OF_READS = 4096,
     /** Replaces REDCC_PREFETCHES: the iterations are so light that prefetching pays only if their
      *  accesses are irregular. */
@@ -240,7 +240,7 @@ typedef struct redcc_loop {
 } redcc_loop;
 
 /** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
- * inspection: redcc_read records the addresses, and `first` is the pointer to which they are
+ * inspection. Then redcc_read records the addresses, and `first` is the pointer to which they are
  * relative when a plan is reused. first == 0: no such pointer, or the addresses lie in several
  * objects. For a kept plan, all bytes between the first and the last one read are compared. */
 typedef struct redcc_extent {
@@ -380,9 +380,9 @@ typedef struct redcc_stream {
     redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< for each, the bytes of a row: the array's `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< REDCC_STREAM_EXACT: all updates of an array use its operator, on integers, so
-                * that they may be made in any order, and on private copies; REDCC_STREAM_SPANS: a
-                * record covers consecutive rows, and is in each bin that has some of them; or 0 */
+    int exact; /**< REDCC_STREAM_EXACT: all updates use the array's operator, on integers: any
+                  order, and private copies, are possible. REDCC_STREAM_SPANS: a record covers
+                  consecutive rows, and is in each bin that has some of them. Or 0 */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */
@@ -511,7 +511,8 @@ struct redcc_kept_row;
 /**
  * Functions that inline functions call while a loop is inspected and executed. A thread reaches the
  * table through its worker and its bins, so that an object with loops refers to none of these
- * functions by name. Later versions append to it. redcc/runtime.h describes each.
+ * functions by name. Later versions append to it. redcc/runtime.h and redcc/bins.h describe those
+ * without a comment.
  */
 typedef struct redcc_calls {
     redcc_u32 version; /**< a REDCC_INTERFACE */

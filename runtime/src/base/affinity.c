@@ -8,7 +8,7 @@
 int redcc_processors_here(void) {
     enum {
         WORDS = 8192 / (8 * sizeof(unsigned long))
-    }; /* no system has more than 8192 processors */
+    }; /* Linux supports at most 8192 processors */
     unsigned long word[WORDS] = {0};
     const long bytes = redcc_system(SYS_sched_getaffinity, 0, sizeof word, word);
     int count = 0;

@@ -4,8 +4,7 @@
 #ifndef REDCC_AFFINITY_H
 #define REDCC_AFFINITY_H
 
-/** The number of processors that the calling thread may run on; at least 1. Any thread, at any
- *  time. */
+/** The number of processors that the calling thread may run on; at least 1. Thread-safe. */
 int redcc_processors_here(void);
 
 #endif

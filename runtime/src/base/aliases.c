@@ -56,7 +56,7 @@ static bool add_part(struct parts *parts, const struct mapping *mapping, struct 
 }
 
 /* Adds the parts of `written` that lie in shared mappings. Most arrays lie in one mapping, so that
- * a single query suffices. False if the mappings are unknown. */
+ * a single query suffices. False if they are unknown or too many. */
 static bool find_parts(struct maps *maps, struct range written, struct parts *parts) {
     enum which_maps which = MAPS_ALL;
     struct mapping mapping;
@@ -113,7 +113,7 @@ static bool have_images(struct maps *maps, const struct touches *touches,
 }
 
 /* Processors may ignore the highest bits of an address (64-bit ARM always; some x86 processors if
- * set so): one byte then has several addresses. */
+ * set so): one byte then has several addresses. Are such bits set? */
 static bool are_tagged(const struct range *ranges, uint32_t count) {
 #if UINTPTR_MAX > UINT32_MAX
     for (uint32_t r = 0; r < count; r++)

@@ -11,7 +11,7 @@
 
 struct method;
 
-/** The arguments of redcc_enter; the loop's state owns the memory that the pointers refer to. */
+/** The arguments of redcc_enter; the loop's state owns the arrays, except `sections`. */
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
@@ -41,7 +41,7 @@ struct call {
     bool one_will_do;    /* a plan may be executed by a single thread */
     int asked;           /* number of threads requested */
     int started;         /* how many of these must be started for this region */
-    int threads;         /* number of threads that arrived */
+    int threads;         /* number of threads in the region */
     int planned; /* number for which a plan would be built (more than `threads` if one thread
                   * takes a sample) */
     struct float_control float_control; /* of the thread that entered */

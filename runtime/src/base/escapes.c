@@ -5,7 +5,7 @@
  * In most programs signal handlers end only by returning. Blocking signals during loops would gain
  * nothing for these programs, and would cost a tenth of a short loop's time. References are found
  * in the dynamic symbol tables of the objects. A statically linked program has none, so its
- * handlers are assumed to leave by other ways (siglongjmp).
+ * handlers are assumed to leave by siglongjmp, too.
  */
 #include "base/escapes.h"
 
@@ -148,8 +148,8 @@ static int allocator_of(const struct link_map *map) {
     return defined;
 }
 
-/* Does the first object that defines free, and so provides it, lack the functions for aligned
- * memory?
+/* Does the first object that defines free, and so provides it, lack one of the functions for
+ * aligned memory?
  */
 static bool is_split(void) {
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
@@ -160,8 +160,8 @@ static bool is_split(void) {
     return false;
 }
 
-/* Is the C library, which defines abort, the only object that defines the functions that a failing
- * assert calls? */
+/* Does each object that defines __assert_fail, which a failing assertion calls, also define abort,
+ * as the C library does? */
 static bool are_assertions_plain(void) {
     bool are_there = false;
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {

@@ -20,7 +20,7 @@ bool redcc_may_map(void);
 bool redcc_allocator_is_split(void);
 
 /** Does a failing assertion end the process without calling any other function of the program: by
- *  the C library's own report, with no handler of SIGABRT? */
+ * the C library's own report, with the default action of SIGABRT? */
 bool redcc_assertions_abort(void);
 
 #endif

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The part of a thread's state that affects its results: the rounding direction, flushing of
- * subnormal numbers, exceptions that trap; its locale, which classifies characters and affects the
- * reading of numbers (uselocale sets it per thread, and a thread keeps the tables of setlocale that
- * it found first); and its memory access rights by protection keys. The program may have changed
- * any of these since OpenMP's threads were created, and these threads must compute the same results
- * as the thread that entered the loop. fenv.h has no name for most of the first group, and needs
- * libm. On processors other than x86-64 and 64-bit ARM each thread keeps its own floating-point
- * state.
+ * The part of a thread's state that affects its results. Floating point: the rounding direction,
+ * flushing of subnormal numbers, exceptions that trap. fenv.h has no names for most of these, and
+ * needs libm. Locale: it classifies characters and affects the reading of numbers. uselocale sets
+ * it per thread, and a thread keeps the tables of setlocale that it found first. Memory: access
+ * rights by protection keys. The program may have changed any of these since OpenMP's threads were
+ * created, but they must compute the same results as the thread that entered the loop. On
+ * processors other than x86-64 and 64-bit ARM each thread keeps its own floating-point state.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H
@@ -47,7 +46,7 @@ static inline struct float_control redcc_float_control(void) {
     return own;
 }
 
-/** Do both states round numbers in the same way? */
+/** Are the floating-point parts of both states equal? */
 static inline bool redcc_float_control_equal(struct float_control a, struct float_control b) {
     return a.vector == b.vector && a.x87 == b.x87;
 }

@@ -8,11 +8,11 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/** Had the process, or one of its ancestors, several threads when it forked? The child has only the
- *  thread that forked, while GCC's OpenMP waits for the others. After _Fork or clone, which run no
- *  handlers, threads are assumed. (A child that shares its parent's memory, as vfork's, is not
- *  detected: it may only execute another program.) Must be called before the runtime's memory is
- *  used. Thread-safe. */
+/** Did an ancestor of the process have several threads when it forked? The child has only the
+ * thread that forked, while GCC's OpenMP waits for the others. After _Fork or clone, which run no
+ * handlers, threads are assumed. (A child that shares its parent's memory, as vfork's, is not
+ * detected: it may only call exec or _exit.) Must be called before the runtime's memory is used.
+ * Thread-safe. */
 static inline bool redcc_is_forked(void);
 
 /** A page of memory, zero, that the system clears in a child; NULL: not supported. */

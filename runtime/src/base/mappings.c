@@ -17,7 +17,7 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The number of `key` in /proc/thread-self/status, or `otherwise`. */
+/* The number after `key` in /proc/thread-self/status, or `otherwise`. */
 static long status_of(const char *key, long otherwise) {
     struct lines lines;
     long value = otherwise;
@@ -131,7 +131,7 @@ static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);
     if (length < 0 || atoi(number) == own)
-        return true; /* it has been closed */
+        return true; /* the descriptor is closed by now, or `own` */
     name[length] = '\0';
     if (begins(name, "anon_inode:"))
         return !strstr(name, "userfault") && !strstr(name, "io_uring");

@@ -30,8 +30,8 @@ bool redcc_has_accelerator(void);
 
 /** Would the processor's page tables show every write to `pages`? True only if all of the pages lie
  * in private memory without a file, and nothing that the process has pinned, mapped or opened may
- * write to its memory in another way (devices, mapped sockets and queues, a userfault descriptor
- * other than `own`). Sets *found to the mappings that contain the pages. */
+ * write to its memory otherwise. (Devices, mapped sockets and queues, and a userfault descriptor
+ * other than `own` may.) Sets *found to the mappings that contain the pages. */
 bool redcc_may_watch(struct mappings *found, struct range pages, int own);
 
 #endif

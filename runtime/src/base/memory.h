@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * All memory of the runtime: counted, limited by REDCC_MEMORY_LIMIT, with failures injected by
- * tests. It never comes from the program's malloc (blocks.h). Every function is thread-safe.
+ * tests. It never comes from the program's malloc (blocks.h), except under AddressSanitizer. Every
+ * function is thread-safe.
  */
 #ifndef REDCC_MEMORY_H
 #define REDCC_MEMORY_H
@@ -36,8 +37,8 @@ size_t redcc_memory_size(const void *block);
 /** Limits the total to `bytes` from now on; 0: no limit. */
 void redcc_memory_limit(size_t bytes);
 
-/** Sets whether allocations of the calling thread are exempt from the limit. They are for memory
- * other than plans and copies, such as a loop's row in the report. */
+/** Sets whether allocations of the calling thread are exempt from the limit. For memory other than
+ * plans and copies, such as a loop's row in the report. */
 void redcc_memory_exempt(bool owed);
 
 /** For tests: after `calls_from_now` more allocations, all fail (negative: none). */

@@ -10,7 +10,8 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* Thread functions are not weak references: a static program would be linked without them. */
+/* The references to thread functions are strong: weak ones would not link them into a static
+ * program. */
 
 #ifdef __GLIBC__
 
@@ -20,15 +21,15 @@ static void nothing(void *unused) {
     (void)unused;
 }
 
-/* Keeps this object loaded while a thread executes its code, by a destructor of the thread. Not
- * needed in the executable, which is never unloaded; and registering it calls the program's
- * allocator, which may support only one thread (attack 32 of docs/soundness.md). */
+/* Registers a thread destructor in this object, which keeps it loaded until the thread ends. The
+ * executable needs none: it is never unloaded. A registration calls the program's allocator, which
+ * may support only one thread (attack 32 of docs/soundness.md). */
 static void stay_loaded(void) {
     if (!redcc_system_is_program())
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
 }
 
-/* Makes the calling thread call `end` with `it` when it ends. False: this is impossible. */
+/* Registers end(it), to be called when the calling thread ends. False: registration failed. */
 static bool call_at_end(void (*end)(void *), void *it) {
     return __cxa_thread_atexit_impl(end, it, (void *)(uintptr_t)nothing) == 0;
 }
@@ -123,7 +124,8 @@ static void wait_for_all(struct pool *it, int threads) {
 
 /* ---- the calling thread ---------------------------------------------------------------------- */
 
-/* Called when the owning thread ends. Does not wait for its threads, which may still be asleep. */
+/* Called when the owning thread ends. Does not wait for the pool's threads, which may still be
+ * asleep. */
 static void end(void *given) {
     struct pool *it = given;
     pool = NULL;

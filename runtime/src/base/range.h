@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Ranges of bytes, by address or by distance. */
+/** Ranges of bytes, by address or by offset. */
 #ifndef REDCC_RANGE_H
 #define REDCC_RANGE_H
 

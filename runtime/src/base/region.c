@@ -25,7 +25,8 @@ bool redcc_region_is_own(void) {
            !omp_in_parallel;
 }
 
-/* The first number of an environment variable such as OMP_NUM_THREADS, or `otherwise`. */
+/* The first number of an environment variable such as OMP_NUM_THREADS, or `otherwise`; also in a
+ * setuid program. */
 static int number_of(const char *variable, int otherwise) {
     const char *text = redcc_system_is_privileged() ? NULL : getenv(variable);
     char *end = NULL;

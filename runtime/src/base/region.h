@@ -15,14 +15,16 @@ typedef void region_work(int number, int threads, void *shared);
 bool redcc_region_is_own(void);
 
 /** The number of threads for a region, at least 1. It is that of the caller's crew, if it leads
- * one; otherwise that of OpenMP's library or, without a library, of its environment variables. */
+ * one; otherwise that of OpenMP's library or, without a library, of its environment variables
+ * (default: the number of processors). */
 int redcc_region_threads(void);
 
-/** Is the calling thread within a parallel region of the program or of the runtime? False if the
- * calling thread leads a crew (crew.h). */
+/** Is the calling thread within a parallel region of the program or of the runtime? A region whose
+ * crew (crew.h) the thread leads does not count. */
 bool redcc_region_is_nested(void);
 
-/** Opens a region of `threads` threads (OpenMP may give fewer) and waits for its end. */
+/** Opens a region of `threads` threads (OpenMP, or a crew, may give fewer) and waits for its
+ * end. */
 void redcc_region_run(int threads, region_work *work, void *shared);
 
 #endif

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The route by which a call's plan is found. */
+/** The kinds of plans that an inspection builds. */
 #ifndef REDCC_ROUTE_H
 #define REDCC_ROUTE_H
 
-/** The kind of plan that an inspection builds. It is decided at the end of the first stage that
- * knows enough. */
+/** The route is decided by the first stage of the inspection that has the necessary information. */
 enum route {
     ROUTE_SERIAL, /* no plan: the original loop */
     ROUTE_OWNERS, /* owners cut by address */

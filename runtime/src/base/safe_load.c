@@ -12,8 +12,8 @@
 #include <sys/uio.h>
 #endif
 
-/* The least time between two loads, so that their system calls of 0.3 microseconds cost at most 2
- * %. */
+/* The least time between two executions that load pointers. A system call takes 0.3 microseconds,
+ * 0.5 % of it. */
 enum { LEAST_NANOSECONDS = 60000 };
 
 bool redcc_is_time_to_load(redcc_word *last) {

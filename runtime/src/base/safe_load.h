@@ -7,8 +7,8 @@
 
 #include <stdbool.h>
 
-/** Was the last load so long ago that the cost of some system calls is negligible? *last has the
- * time of that load. */
+/** Was the last call so long ago that the cost of some system calls is negligible? *last has the
+ * time of that call, and is set to that of this one. */
 bool redcc_is_time_to_load(redcc_word *last);
 
 /** Copies `bytes` bytes from `from` and returns 1; 0 if they are unreadable, or if that is unknown.

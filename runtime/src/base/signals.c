@@ -59,9 +59,9 @@ static bool is_on_other_stack(void) {
 #define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
 
 /* Recognises a handler's return address, with the interrupted context above it: sigreturn(2),
- * struct rt_sigframe. The context holds the interrupted stack pointer, which lies above this frame;
- * a null link; and the processor's flags, in which bit 1 is always set and bits 22 and above never
- * are. The return address alone proves nothing, since the stack may hold old contents. */
+ * struct rt_sigframe. The context holds a null link, and the interrupted stack pointer, which lies
+ * above this frame. In the processor's flags, bit 1 is always set, and bits 22 and above never are.
+ * The return address alone proves nothing, since the stack may hold old contents. */
 NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
     enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
     return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Signals are blocked while a loop runs in parallel. Otherwise, a handler that left the loop by
- * siglongjmp would leave the other threads writing to its arrays; one that executed another loop
- * would find this loop's locks held; and one that the program expects in its own thread could run
- * in another. Threads that OpenMP creates for the loop never run a handler. Signals with the
- * default action, which usually ends the program, are not blocked during long work: starting
- * threads, inspections, and executions of more than a millisecond.
+ * Signals are blocked while threads start, and while a loop runs in parallel if a handler may leave
+ * it (escapes.h). Otherwise, a handler that left the loop by siglongjmp would leave the other
+ * threads writing to its arrays. One that executed another loop would find this loop's locks held,
+ * and one that the program expects in its own thread could run in another. Threads that OpenMP
+ * creates for the loop never run a handler. Signals with the default action, which usually ends the
+ * program, are not blocked during long work: starting threads, inspections, and executions that are
+ * expected to take more than a millisecond.
  */
 #ifndef REDCC_SIGNALS_H
 #define REDCC_SIGNALS_H
@@ -14,8 +15,8 @@
 #include <stdint.h>
 
 /** Blocks every signal in the calling thread except those that its own instructions raise (and the
- * one by which the C library changes the identity of all threads). Also blocks cancellation of the
- * thread. Returns the previous mask, for redcc_signals_release. */
+ * one by which the C library changes the identity of all threads). Also blocks asynchronous
+ * cancellation of the thread. Returns the previous mask, for redcc_signals_release. */
 uint64_t redcc_signals_hold(void);
 
 /** Restores the mask; pending signals are delivered now. */
@@ -27,8 +28,8 @@ void redcc_signals_release(uint64_t before);
 void redcc_signals_take_over(void);
 
 /** Is the calling thread in a handler, which may have interrupted it in malloc or in OpenMP's
- *  library? Takes some 70 system calls if handlers are installed, and scans the whole stack.
- *  before: the mask before redcc_signals_hold. */
+ * library? Makes some 70 system calls; if handlers are installed, it scans the whole stack on
+ * x86-64. before: the mask before redcc_signals_hold. */
 bool redcc_signals_in_handler(uint64_t before);
 
 /** In the calling thread, between redcc_signals_hold and redcc_signals_release: unblocks the

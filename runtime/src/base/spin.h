@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** A spin lock for critical sections shorter than a sleep. If signals are not blocked (signals.h),
- * a handler may find that its own thread holds the lock, so that waits must be bounded. */
+ * a handler may find that its own thread holds the lock: then use redcc_spin_hope. */
 #ifndef REDCC_SPIN_H
 #define REDCC_SPIN_H
 

@@ -137,7 +137,7 @@ int redcc_system_node(void) {
     return -1;
 }
 
-/* Asked once: loops need it before each execution, and many are shorter than a system call. */
+/* Cached: loops need it before each execution, and many are shorter than a system call. */
 uint64_t redcc_system_memory(void) {
     static atomic_uint mebibytes;
     unsigned known = atomic_load_explicit(&mebibytes, memory_order_relaxed);

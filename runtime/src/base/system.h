@@ -132,7 +132,7 @@ long redcc_system_preemptions(void);
  *  ignored? */
 bool redcc_system_is_privileged(void);
 
-/** Fills `word` with random values. */
+/** Fills word[words] with random values. */
 void redcc_system_secret(uint64_t *word, size_t words);
 
 #endif

@@ -26,8 +26,8 @@ _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* Symbols that identify OpenMP's library, and functions by which it creates threads: a program that
- * defines one of these manages threads itself. All are weak, so that programs link without them. */
+/* Symbols that identify OpenMP's library, and functions by which it creates threads. All are weak,
+ * so that programs link without them. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void) WEAK;
 extern void __kmpc_fork_call(void) WEAK;
@@ -45,13 +45,14 @@ extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
 extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
 
 enum {
-    FEW = 8192, /* a limit above this number of processes is assumed not to be reached */
+    FEW = 8192, /* a limit on processes or threads that is not below this is assumed not to be
+                   reached */
     SPARE = 4 * 1024 * 1024
 };
 
 struct team {
     int threads;         /* threads of the thread's last region; 0: there was none */
-    int pinned;          /* the library that contains its threads' code cannot be unloaded */
+    int pinned;          /* the libraries with the code of its threads cannot be unloaded */
     int rest;            /* calls to skip after a handler was last detected */
     int rest_left;       /* how many of these remain */
     size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
@@ -99,7 +100,7 @@ static bool fits(size_t bytes) {
     return place != NULL;
 }
 
-/* The maximum size of the main thread's stack, within the usual bounds. */
+/* The limit of the main thread's stack, at most 1 GiB; 256 MiB if it is unlimited, 0 if unknown. */
 static size_t main_stack(void) {
     struct rlimit limit;
     const size_t unlimited = (size_t)256 << 20, most = (size_t)1 << 30;
@@ -114,7 +115,7 @@ static bool is_set_by_user(void) {
     return getenv("OMP_STACKSIZE") || getenv("GOMP_STACKSIZE") || getenv("KMP_STACKSIZE");
 }
 
-/* Sets the size of stacks created from now on; returns the previous one. */
+/* Sets the default size of new threads' stacks; returns the previous one, 0 if unknown. */
 static size_t set_stacks(size_t bytes) {
     pthread_attr_t usual;
     size_t before = 0;
@@ -129,8 +130,8 @@ static size_t set_stacks(size_t bytes) {
     return before;
 }
 
-/* The size for each of `more` stacks: that of the main thread's stack, if there is memory; 0: the
- * default. */
+/* The size for each of `more` stacks: the main thread's limit, halved until all can be mapped; 0,
+ * the default, if that gives at most 2 MiB. */
 static size_t stack_for(int more) {
     size_t wanted = main_stack();
     const size_t usual = (size_t)2 << 20;
@@ -169,7 +170,7 @@ static bool is_limited(void) {
            is_low("/sys/fs/cgroup/pids.max");
 }
 
-/* A thread that does nothing. */
+/* Shared by threads that only wait for the end of the trial. */
 struct trial {
     atomic_uint over;
     atomic_int asleep;
@@ -190,7 +191,7 @@ static int count_tasks(void) {
     return (int)tasks.stx_nlink - LINKS;
 }
 
-/* Tries to start `more` threads; returns how many can exist at once. All have ended on return. */
+/* Tries to start `more` threads; returns how many OpenMP could start. All have ended on return. */
 static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};
@@ -224,7 +225,8 @@ static int available_threads(int threads) {
     return can;
 }
 
-/* Checks the stack with exponential back-off after a handler was found. */
+/* Is the thread in a handler? After each that is found, checks are skipped with exponential
+ * back-off: the answer is then true. */
 static bool is_in_handler(uint64_t before) {
     enum { REST_MOST = 1024 };
     if (team.rest_left > 0) {
@@ -351,8 +353,8 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* The same as count_others, after waiting for ended members, and up to `seconds` for other threads:
- * those that OpenMP made only for the program's regions may be ending, too. */
+/* The same as count_others, after waiting up to 1 s for ended members, or `seconds` for other
+ * threads. Those that OpenMP made only for the program's regions may be ending, too. */
 static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
@@ -369,8 +371,8 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region with as many threads as the process has, so that all of OpenMP's threads register
- * as members. */
+/* Opens a region in which OpenMP's threads register as members. It has as many threads as the
+ * process, but the usual number if these are above 256 or threads are limited. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
@@ -382,7 +384,7 @@ static atomic_int known; /* the number of other threads that had not ended after
 
 /* The same as count_others, after waiting for the members that are ending. */
 static int count_unknown(void) {
-    (void)redcc_is_forked(); /* counts members of this process only */
+    (void)redcc_is_forked(); /* in a forked child, first resets the count of members */
     const int others = count_others();
     return others > 0 && others != atomic_load(&known) ? count_others_that_stay(0) : others;
 }
@@ -399,8 +401,9 @@ static bool others_leave(void) {
     return others == 0;
 }
 
-/* Are all other threads of the process members? If some are unknown, waits for them to end.
- * registers: first opens a region, in which OpenMP's idle threads register as members. */
+/* Are all other threads of the process members? If some are unknown, waits for them to end, unless
+ * as many remained after the last wait. registers: first opens a region, in which OpenMP's idle
+ * threads register as members. */
 static bool are_others_idle(bool registers) {
     const int others = count_unknown();
     if (others <= 0 || others == atomic_load(&known))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Preparation before OpenMP creates threads for a region, and the work afterwards. Does nothing if
- * the calling thread's last region had the same number: GCC's OpenMP and LLVM's keep their threads.
+ * Preparation before threads are created for a region, and the work afterwards. Does nothing if the
+ * calling thread's last region had at least as many: GCC's OpenMP and LLVM's keep their threads.
  */
 #ifndef REDCC_TEAM_H
 #define REDCC_TEAM_H
@@ -9,54 +9,53 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Called before a region of `threads` threads: returns how many are available (OpenMP ends a
- *  program if the system refuses it a thread); 1: only the calling one; 0: the region must not
- *  begin, because the thread is in a handler, which may have interrupted malloc. before: the
- *  thread's mask before redcc_signals_hold. Ensures that the threads' code is not unloaded while
- *  they exist, and that their stacks are as large as the main thread's may become. Signals must be
- *  blocked (signals.h); those with the default action are unblocked while threads start. */
+/** Called before a region of `threads` threads: returns how many are available, since OpenMP ends a
+ * program if the system refuses it a thread. 1: only the calling one. 0: the region must not begin,
+ * because the thread is in a handler, which may have interrupted malloc. before: the thread's mask
+ * before redcc_signals_hold. Ensures that the threads' code is not unloaded while they exist, and
+ * that their stacks, if memory permits, are as large as the main thread's may become. Signals must
+ * be blocked (signals.h); those with the default action are unblocked while OpenMP's threads
+ * start. */
 int redcc_team_prepare(int threads, uint64_t before);
 
-/** At program start, binds the functions of OpenMP's library that every translated loop calls:
- *  otherwise binding them would take longer than a first loop of some microseconds. */
+/** At program start, binds the functions of GNU's OpenMP library that every translated loop calls.
+ * Binding them in a first loop of some microseconds would take longer than the loop. */
 void redcc_team_bind(void);
 
-/** Is the calling thread within an execution? A loop that begins then, and not in the loop's body,
- * is in a signal handler, which may find locks held. */
+/** Is the calling thread within an execution? A loop that begins meanwhile is called by the loop's
+ * body, or by a signal handler, which may find locks held. */
 extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 
-/** Will OpenMP create threads for a region of `threads` threads? */
+/** Must threads be created for a region of `threads` threads? */
 bool redcc_team_grows(int threads);
 
-/** The number of threads by which a region of `threads` exceeds the calling thread's last region.
- */
+/** The number of threads that must be created for a region of `threads` threads. */
 int redcc_team_missing(int threads);
 
-/** How many of these must OpenMP start? None for the main thread if the process already has that
- * many threads, which the program's own regions may have started. They need not be OpenMP's, so
- * this is only an estimate. */
+/** How many of these must OpenMP start? An estimate: for the main thread's first region it assumes
+ * 0 if the process has `threads` threads, which the program's own regions may have started. */
 int redcc_team_to_start(int threads);
 
 /** Is the calling thread the process's first one, outside of parallel regions, and are all others
- *  idle threads of its regions? Then no other thread executes the program's code until this one
- * starts a region. Threads of the program's own regions are recognised only in a region of the
- * runtime with as many threads, which this function opens. */
+ * idle threads of its regions? Then no other thread executes the program's code until this one
+ * starts a region. Idle threads of the program's own regions register only in a region of the
+ * runtime, so this function opens one if it finds unknown threads. */
 bool redcc_team_is_alone(void);
 
-/** Does every running thread of the process belong to the calling thread's team, whose threads have
- * all registered and reached the same loop? False in nested regions. Outside of regions this is
+/** Are all threads of the process OpenMP's, if all of the calling thread's team have registered and
+ * reached the same loop? False in nested regions. Outside of regions this is
  * redcc_team_is_alone. */
 bool redcc_team_has_met(void);
 
-/** Called by each thread of a region except the first: registers it as made by OpenMP or the
- * runtime. */
+/** Called by each thread of an OpenMP region except the first: registers it as made by OpenMP. */
 void redcc_team_note_member(void);
 
 /** Called in a child process, where only the calling thread exists: forgets the parent's threads.
  */
 void redcc_team_forked(void);
 
-/** Called by the region's first thread when the region has begun with `threads` threads. */
+/** Called by the first thread of a region of `threads` threads, which exist by then: stores their
+ * number, and restores the default size of stacks. */
 void redcc_team_begun(int threads);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions that the kernel maps into each process: a clock without a system call. */
+/** Functions that the kernel maps into each process, such as a clock without a system call. */
 #ifndef REDCC_VDSO_H
 #define REDCC_VDSO_H
 

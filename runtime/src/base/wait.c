@@ -19,9 +19,9 @@ enum {
 };
 
 /* A thread spins for part / FULL of the full number of spins: exponential back-off. If another
- * program holds the core of the awaited thread, spinning is useless and occupies a second core. So
- * a wait that ended asleep halves `part`; one that ended during the spins, or soon afterwards,
- * doubles it. */
+ * program occupies the core of the awaited thread, spinning wastes a second core. So a wait that
+ * ended asleep halves `part`; one that ended during the spins, or after a short sleep, doubles
+ * it. */
 struct spinning {
     int part;
 };
@@ -30,7 +30,7 @@ static _Thread_local struct spinning at_barriers
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
 static _Thread_local struct spinning in_between
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
-static const double soon = 0.1e-3; /* s, the duration of all spins */
+static const double soon = 0.1e-3; /* s, an upper limit for SPINS spins */
 
 static void note(struct spinning *it, bool was_worth_it) {
     const int next = was_worth_it ? 2 * it->part : it->part / 2;

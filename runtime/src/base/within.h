@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Restrictions on the calling thread during an execution: blocked signals, and loops that begin in
- * it. Each begin is ended by the same thread.
+ * Restrictions on the calling thread during an execution: signals are blocked, and loops that begin
+ * in it run sequentially. Begin and end are called by the same thread.
  */
 #ifndef REDCC_WITHIN_H
 #define REDCC_WITHIN_H
@@ -16,12 +16,13 @@ struct within {
 };
 
 /** Called before a possible region of `threads` threads: from now on no handler can leave the
- *  execution or begin another one. always: block signals, even if no object refers to a function
- * that leaves a handler. */
+ * execution or begin another one. always: block signals even if threads exist and no handler can
+ * leave (escapes.h). */
 void redcc_within_begin(struct within *within, bool always, int threads);
 
-/** Called when the region's threads exist. is_long: a user may be waiting for the end of the
- * execution, so signals with the default action are unblocked. */
+/** Called when the region's threads exist: unblocks signals unless `always`, or if a handler may
+ * leave. Even then, is_long unblocks those with the default action: a user may be waiting for the
+ * end of the execution. */
 void redcc_within_relax(struct within *within, bool always, bool is_long);
 
 /** Called when the execution's data are not used any more. `within` is passed by value, because

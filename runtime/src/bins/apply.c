@@ -166,8 +166,8 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
     return rows;
 }
 
-/* Merges this thread's share of the rows, copy after copy. The window also has rows beyond the
- * array's ends. */
+/* Merges this thread's share of the changed rows, copy after copy; other rows of the window may lie
+ * beyond the array's ends. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct row_range changed = binning->stream[s].changed;

@@ -45,27 +45,28 @@ enum bins_phase {
     BINS_OVER     /* `begin` iterations are done */
 };
 
-/** One thread's part. Only this thread writes it; the others read it after the barrier. */
+/** One thread's part. Only this thread writes it, except for `share`; the others read it after the
+ * barrier. */
 struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
-    bool begun;              /* its part of the phase has begun */
-    struct bins_share share; /* its share of the round */
-    int pieces;              /* number taken in this round */
-    redcc_int next;          /* iterations [next, last) of its piece are not handed out yet */
+    bool begun;              /* the thread's part of the phase has begun */
+    struct bins_share share; /* the thread's share of the round */
+    int pieces;              /* pieces taken in this round */
+    redcc_int next;          /* iterations [next, last) of the piece are not handed out yet */
     redcc_int last;
-    redcc_int unseen;                /* iterations since it last checked for missing records */
+    redcc_int unseen;                /* iterations since the last check for missing records */
     int sample;                      /* stretches of iterations handed out for measuring */
     redcc_int measured;              /* iterations in them */
-    redcc_int pushed;                /* in this round */
+    redcc_int pushed;                /* iterations pushed in this round */
     redcc_extent *sources;           /* [source_count] recorded by redcc_read, in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] */
 };
 
 /** Known properties of a stream; kept between executions. */
 struct binned_stream {
-    struct row_range rows; /* that were recorded */
+    struct row_range rows; /* the recorded rows */
     double rate; /* records per iteration, of the thread with most, plus a margin; 0: unknown */
     struct window window;
     struct row_range changed; /* of private copies: the rows that they change */
@@ -83,7 +84,7 @@ struct round {
                                       * aborted */
 };
 
-/** Is called with the bytes of an array that are about to be written; tell NULL: nothing is called.
+/** A function that is called with the bytes of an array that are about to be written; NULL: none.
  */
 struct written_witness {
     void (*tell)(void *whom, uint32_t array, struct range written);
@@ -104,7 +105,7 @@ struct bins_trial {
     double pushes;   /* the time at which pushing the only round (REDCC_WHOLE) began */
     bool is_late;    /* pushing it takes too long */
     redcc_int stretch; /* iterations that the trial executes sequentially */
-    double sequential; /* their time, seconds */
+    double sequential; /* seconds that these take */
 };
 
 struct binning {
@@ -121,7 +122,7 @@ struct binning {
     int cut_threads;    /* number of threads for which the windows were cut */
     bool denies_copies; /* the guard found them to be too coarse */
     atomic_uint next_bin;
-    atomic_int failed; /* some thread lacks records of this round */
+    atomic_int failed; /* the round is aborted: records are missing, or it is late */
     struct effects effects;
     enum reason reason;     /* why the rest is sequential; NONE: all is done */
     struct overlap overlap; /* of REASON_OVERLAP */

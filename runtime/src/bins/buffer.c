@@ -166,7 +166,7 @@ int redcc_is_readable(redcc_size *page, const void *address) {
     return 1;
 }
 
-/* Without a free block, overwrites the last one: the round is lost. */
+/* Without a free block, overwrites the bin's last one: the round is lost. */
 redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record) {
     (void)bin;
     const uint32_t block = (record - 1) / BLOCK;
@@ -179,7 +179,6 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
     return buffer->used++ * BLOCK;
 }
 
-/* Records that were pushed. */
 static redcc_int count_records(const struct redcc_bin_buffer *buffer) {
     redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;
     for (uint32_t bin = 0; bin < buffer->bins; bin++)

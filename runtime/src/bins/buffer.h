@@ -26,7 +26,7 @@ struct redcc_bin_buffer {
     redcc_int marked[PIECE_MARKS]; /* number of records at each beginning */
     bool exhausted;                /* no blocks were left: records are missing */
     struct row_range outside; /* recorded rows outside of the bins: their records are missing */
-    redcc_int outside_count;  /* their number */
+    redcc_int outside_count;  /* number of these records */
     struct row_range reached; /* rows that spans reach */
     char *memory;
 };

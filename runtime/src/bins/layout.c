@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The size of rounds: as large as memory permits, since a round loads each line of the updated
- * arrays from memory and stores it once. Records may take 0.6 of the bytes of the arrays, and 64
- * MB, in all; if the loop must be one round, 512 MB.
+ * arrays from memory and stores it once. The records of all threads may take 0.6 of the bytes of
+ * the arrays plus 64 MiB; if the loop must be one round, plus 512 MiB.
  */
 #include "bins/binning.h"
 
@@ -10,8 +10,8 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* Rows to add at each end of the window: the first round may have missed the outermost row and,
- * after failures, more of them. */
+/* Rows to add at each end of the window: the recorded rows may lack the outermost ones and, after
+ * failures, more of them. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;
@@ -40,7 +40,8 @@ static struct row_range from_a_line(const struct binning *binning, uint32_t s, u
     return rows;
 }
 
-/* A window that held all rows is kept, and so is its memory. */
+/* A window that held all rows is kept, and so is its memory, while the number of records is
+ * similar. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];

@@ -30,7 +30,7 @@ struct binner;
 /** The thread that took a piece. */
 struct piece {
     int thread;
-    int number; /* its number among the thread's pieces of this round */
+    int number; /* the piece's number among the thread's pieces of this round */
 };
 
 /** A thread's share of a round: iterations [begin, end). */

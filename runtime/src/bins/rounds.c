@@ -12,13 +12,13 @@
 enum {
     CHUNK = 16384,  /* iterations between two checks whether the round has failed. With a smaller
                        number, fewer of the missing rows and records would be counted by then */
-    STRETCHES = 64, /* stretches of each thread's share that are measured */
+    STRETCHES = 64, /* maximum number of measured stretches per thread */
     STRETCH = 64,   /* maximum iterations of a stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
-                * stretch compared with it: a shorter one finds the caches full of records, and
-                * takes too long */
+    TRIED = 16 /* the first round of a trial is this part of the loop, as is the sequential stretch
+                  compared with it. A shorter one finds the caches full of records, and takes too
+                  long */
 };
 
 /* Factors by which rates exceed the measured ones, after a measurement and after a round. A rate
@@ -112,8 +112,8 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* Will pushing the only round alone take longer than the trial may take? Asked once an eighth of
- * the thread's share is pushed: the first records are written to new memory. */
+/* Will pushing the only round alone take longer than the trial may take? Unknown until an eighth of
+ * the thread's share is pushed: the first records are slow, since their memory is new. */
 static bool is_late(const struct binning *binning, const struct binner *binner) {
     const struct bins_trial *it = &binning->trial;
     const double trip = (double)binning->call->request.trip, share = trip / binner->threads;
@@ -186,9 +186,8 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: as many as in all rounds before or, if these
- * would exceed the trial's limit at the earlier loss per iteration, as many as stay within it.
- * In any case at least trip / TRIED. */
+/* The number of iterations of a trial's next round: as many as are done but, at the earlier loss
+ * per iteration, no more than stay within the trial's limit. At least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;
@@ -200,7 +199,7 @@ static redcc_int tried_next(const struct binning *binning) {
 }
 
 /* Divides the remaining iterations into rounds of about equal size; in a trial takes a part of
- * them. Memory is allocated for all of them, so that parts use only what they need. */
+ * them. Memory is allocated for a full round; a shorter one writes only a part of it. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int trip = binning->call->request.trip, left = trip - round->begin;

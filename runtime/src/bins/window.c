@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A bin's rows fit half of a core's second-level cache while its records are applied. With up to
- * some 256 bins a thread can append to all of them directly; each has a cache line being written,
- * and a page. An iteration that appends to many at once would wait for these lines to be read
- * before they are written; write combining avoids that.
+ * 288 bins a thread can append to all of them directly; each has a cache line being written, and a
+ * page. An iteration that appends to many at once would wait for these lines to be read before they
+ * are written; write combining avoids that.
  */
 #include "bins/window.h"
 

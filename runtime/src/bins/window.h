@@ -57,8 +57,8 @@ extern struct bins_tuning redcc_bins_tuning;
 size_t redcc_stream_row(const redcc_stream *stream);
 
 /** The window of `rows`, with `margin` more rows on either side. It has enough bins for `threads`
- * threads, each for some hundreds of the `iterations` times `rate` records. A window without rows:
- * the range is too large. */
+ * threads, but a bin gets at least some hundreds of records per thread, of `rate` * `iterations` in
+ * all. A window without rows: the range is too large. */
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
                            int threads, double rate, double iterations);
 

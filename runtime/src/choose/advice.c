@@ -85,8 +85,8 @@ static bool are_the_same(const struct chooser *chooser, const redcc_loop *loop,
            redcc_fingerprint_equal(all, chooser->all);
 }
 
-/* Was the sample seen in one of the last calls? A loop that is called for one array after the other
- * keeps a plan for each. */
+/* Stores this call's sample. Was it that of one of the last calls? A loop that is called for one
+ * array after the other keeps a plan for each. */
 static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
     int at = 0;
     while (at < REDCC_PLANS - 1 && chooser->sampled[at] != sampled)
@@ -118,7 +118,7 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
-/* Without kept plans, and with the minimum cost of starting threads. */
+/* The situation of a call without kept plans, with the minimum cost of starting threads. */
 static struct situation situation_of(const struct chooser *chooser, const redcc_loop *loop,
                                      redcc_int trip, int threads) {
     struct situation now = {.trip = trip,
@@ -228,8 +228,8 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
-/* The measured time of an iteration's slice. 0: the time estimated from its touches agrees with it,
- * as far as a timing of a few iterations can show. */
+/* The measured time of an iteration's slice. 0: not timed, or at most twice the time estimated from
+ * its touches. */
 static double time_of_slice(const struct inspection *inspection) {
     const double measured = redcc_slice_seconds(inspection);
     return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
@@ -264,7 +264,7 @@ static struct findings begin_findings(const struct chooser *chooser,
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
     if (found->overhead > LEARN_SHARE / 2 || found->share * call->planned > LEARN_CONTENDED)
-        return false; /* they save 2 to 20 % of the iterations */
+        return false; /* stealable blocks save only 2 to 20 % of the iterations */
     /* If the iterations of a block are scattered, the subscripts of its neighbours are read with
      * its own. */
     return found->changes < LEARN_FREQUENT ||
@@ -298,8 +298,8 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
 }
 
 /* The share of a thread that selects its own iterations: it evaluates all slices, after all threads
- * together (or one, in a dry run) have evaluated them once. Owner-checked iterations skip more than
- * half of their work. */
+ * together (or one, in a dry run) have evaluated them once. With REDCC_PARTS, replicated iterations
+ * count as a quarter, since they skip most of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
@@ -317,7 +317,8 @@ static double share_directly(const struct inspection *inspection, const struct f
                : 0;
 }
 
-/* Irregular updates; or updates of a small array of integers, which use private copies. */
+/* Bins are expected to pay for irregular updates, and for small arrays of integers, which use
+ * private copies. */
 static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
                       struct findings *findings) {
     const redcc_loop *loop = inspection->call->request.loop;
@@ -429,7 +430,7 @@ bool redcc_may_be_tiled(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     const struct partition *partition = &inspection->partition;
     for (uint32_t array = 0; array < partition->array_count; array++)
-        if (partition->group_of[array] != array) /* its elements have two numbers */
+        if (partition->group_of[array] != array) /* arrays overlap: elements have two numbers */
             return false;
     return call->request.loop->flags & REDCC_TILES && redcc_can_be_tiled(call->request.trip);
 }
@@ -513,8 +514,8 @@ static bool goes_without_stealing(const struct chooser *chooser,
                               (double)(with - without) / trip);
 }
 
-/* The owners from the cut leave one thread this share of the iterations. Would levels be faster? If
- * so, builds them. */
+/* Would levels be faster than the owners from the cut? Builds them to decide, if these owners are
+ * unbalanced and the deadline permits. */
 static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;

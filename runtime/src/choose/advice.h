@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The interface between the pipeline and the chooser: every question that REDCC_METHOD=auto
- * answers, and every result reported to it, in the order of a call. Nothing else calls the
- * decision core (learner.h), except that account.c traces the credit. If a method is named, the
- * core is not used, and these functions answer by the method.
+ * The interface between the pipeline and auto's decisions: every question that REDCC_METHOD=auto
+ * answers, and every result reported to it, in the order of a call. Nothing else calls the decision
+ * core (learner.h), except that account.c traces the credit. If a method is named, the core is not
+ * used, and these functions answer by the method.
  *
  *     at entry              redcc_advise_rest, redcc_advise_saving, redcc_advise_entry
  *     after the sample      redcc_advise_sampled
@@ -80,9 +80,9 @@ bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const 
 /** The decision for a call that neither redcc_advise_rest nor redcc_advise_saving decided. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
-/** The original loop was timed, and redcc_tell has the time. After the first timing it samples the
- *  subscripts, unless that was done at entry; if comparing all of them costs next to nothing, it
- *  keeps their fingerprint for the next call. */
+/** The original loop was timed, and redcc_tell has the time. Samples the subscripts, unless that
+ * was done at entry. After the first timing, if comparing all of them takes at most a 32nd of that
+ * time, keeps their fingerprint for the next call. */
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds);
 

@@ -13,8 +13,7 @@ static double by_owners(const struct findings *it) {
                                       : 1);
 }
 
-/* Seconds per iteration to begin runs of iterations. The threads divide the runs evenly.
- */
+/* Seconds per iteration to begin runs of iterations. The threads divide the runs evenly. */
 static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }
@@ -45,7 +44,8 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Useless if owners by index are equally balanced, and for pairs, whose graph no cut divides. */
+/* Useless if owners by index are balanced, for pairs, whose graph no cut divides, and for a single
+ * use. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = recording(it) + it->touches * 6 * LEARN_TOUCH +
                                 it->further_rows * LEARN_ROW + it->leading_rows * 1.5 * LEARN_ROW;

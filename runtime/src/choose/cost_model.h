@@ -16,17 +16,17 @@ struct findings {
     double touches;      /**< per iteration */
     double leading_rows; /**< different rows of the leading group per iteration */
     double further_rows; /**< different rows of the other groups per iteration */
-    /**< seconds of an iteration's slice; 0: unknown, or as estimated from its touches */
+    /** seconds of an iteration's slice; 0: unknown, or as estimated from its touches */
     double slice;
     double runs;  /**< fraction of the iterations that touch other owners than the preceding one */
     bool fetched; /**< accesses are irregular, their data exceed the caches, and plans prefetch them
                    */
-    bool tiled;   /**< it is a loop over pairs, to be cut into tiles */
+    bool tiled;   /**< the loop is over pairs, to be cut into tiles */
     bool lanes;   /**< plans execute by lanes, if that is faster */
     double copied;   /**< bytes of a private copy; 0: none is permitted, or possible */
-    bool binned;     /**< it can be binned */
+    bool binned;     /**< the loop can be binned */
     bool bins_known; /**< the sample suggests that binning pays */
-    /**< seconds per execution that binning adds: merging private copies, and executing the
+    /** seconds per execution that binning adds: merging private copies, and executing the
      * slices for the overlap guard */
     double bin_more;
     bool reusable;  /**< the plan can be kept */

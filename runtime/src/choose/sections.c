@@ -15,10 +15,10 @@ enum {
     /* The same with inner loops or calls, if a copy has no more elements than the loop has
      * iterations. */
     LEAST_HEAVY = 512,
-    /* More than two shares are used only with this many updates per element of all copies
-     * together. Merging an element into the array and clearing it takes a third of an update's
-     * time. Two shares need only one update per element, because they halve the time. More gain
-     * nothing on two cores, so merging must cost almost nothing there (script/bench openmp). */
+    /* More than two shares are used only with this many updates per element of all copies together.
+     * Merging an element into the array and clearing it takes a third of an update's time. Two
+     * shares need only one update per element, because they halve the time. More shares gain
+     * nothing on two cores, so their merge must be cheap (script/bench openmp). */
     ITERATIONS_PER_ELEMENT = 12,
     /* An iteration with inner loops or calls takes the time of several updates. */
     HEAVY = 8

@@ -3,9 +3,9 @@
  * Loops whose arrays OpenMP's clause `reduction` names with their sections. The clause permits any
  * order, and names all elements that are updated. So without an inspection the iterations are
  * divided into N shares. The first updates the arrays, each later one a copy, and the copies are
- * merged in order. N follows from the trip count
- * and the size of the sections alone, never from threads, time or free memory: all executions give
- * the same bits. Only how many threads execute the shares is learned.
+ * merged in order. N follows from the loop, its trip count, the size of the sections and
+ * REDCC_MEMORY_LIMIT, never from threads, time or free memory: all executions give the same bits.
+ * Only the number of threads is learned.
  */
 #ifndef REDCC_CHOOSE_SECTIONS_H
 #define REDCC_CHOOSE_SECTIONS_H
@@ -22,7 +22,7 @@ struct sections {
     struct paired_timing
         pace[SECTION_SIZES]; /* of several threads (arm 0), and of one; by trip count */
     bool met[SECTION_SIZES]
-            [2]; /* has one thread, have several executed it once? Then threads and copies exist */
+            [2]; /* have several threads, has one executed it once? Then threads and copies exist */
     unsigned rest[SECTION_SIZES]; /* calls since the last comparison of the two */
 };
 
@@ -30,8 +30,7 @@ struct sections {
 int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *sections, size_t memory_limit);
 
-/** The number of threads that execute the shares: `threads`, or one if they take too little time.
- */
+/** The number of threads that execute the shares: `threads`, or one if faster or on trial. */
 int redcc_sections_threads(struct sections *it, redcc_int trip, int threads);
 
 /** Records the time that `threads` threads took. */

@@ -10,7 +10,7 @@
 double redcc_wake_seconds(void);
 
 /** Seconds until a region has started `missing` threads, at least 0.1 ms; wanted: other programs
- *  run on the processors that they would need. */
+ * run on the processors that the threads would need. */
 double redcc_start_seconds(int missing, bool wanted);
 
 /** Seconds that a region of this many threads needs to start the missing ones under the current

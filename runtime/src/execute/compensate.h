@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Compensated sums of floats and doubles, by Neumaier (Zeitschrift fuer angewandte Mathematik und
- * Mechanik 54, 1974): the rounding errors of each element are accumulated in double and added at
+ * Mechanik 54, 1974). The rounding errors of each element are accumulated in double and added at
  * the end of the loop.
  *
  * A contribution is rounded to the element's type. If a sum is infinite or NaN, the error is not

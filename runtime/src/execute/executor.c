@@ -87,7 +87,7 @@ void redcc_run_begin(struct run *run) {
     atomic_store_explicit(&run->blocks_claimed, 0, memory_order_relaxed);
 }
 
-/* Saves the arrays for validation. Called when all threads have arrived and none has written. */
+/* The last thread to arrive saves the arrays for validation, before any thread writes. */
 static void take_snapshot(struct runner *runner) {
     struct run *run = runner->run;
     if (!redcc_barrier_arrive(run->barrier, runner->threads))
@@ -126,7 +126,7 @@ static redcc_int iterations_of(const struct runner *runner) {
 }
 
 /* Begins a selection. If iterations that touch nothing must be executed, each thread gets a share
- * of them; otherwise only the last iteration is executed by one thread, for live-out values. */
+ * of them. Otherwise one thread executes only the last iteration, for live-out values. */
 static void begin_selecting(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -178,7 +178,7 @@ static void begin_running(redcc_worker *worker) {
     worker->variant = redcc_run_variant(run, plan, 0);
 }
 
-/* Hands out iterations [begin, end) in order and in place. */
+/* Prepares the thread to hand out iterations [begin, end) in order and in place. */
 static void begin_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
@@ -188,7 +188,7 @@ static void begin_in_order(redcc_worker *worker, enum step step, redcc_int begin
     worker->position = begin;
     worker->variant = (redcc_variant){0};
     worker->base = runner->base;
-    worker->owner = runner->owner; /* not used: no owner checks */
+    worker->owner = runner->owner; /* used only after redcc_run_own_nothing */
     worker->run_end = NULL;
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->base[array] = call->request.bases[array];
@@ -292,14 +292,13 @@ static void finish(redcc_worker *worker) {
         redcc_run_check(worker, plan->trip);
 }
 
-/* Raises the flag of the executed chunk. */
 static void raise_flag(const struct plan *plan, const struct chunk *chunk) {
     if (chunk->flag)
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
-/* A single thread has one copy for all shares after the first: merges it before the next one
- * begins. */
+/* Switches to the share's copy. With COPY_LATER a single thread has one copy for all shares after
+ * the first, and merges it before the next share begins. */
 static void begin_share(struct runner *runner, uint32_t share) {
     const struct plan *plan = runner->plan;
     if (plan->method->copies == COPY_LATER && plan->threads == 1 && share > 1)
@@ -469,11 +468,10 @@ static int next_chunk(redcc_worker *worker) {
     return 0;
 }
 
-/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the
- * last failing chunk is stored with `end`, one past its last iteration: 2 * (end + 1) + (ERANGE
- * ? 1 : 0). If
- * iterations in several threads fail with different errors, the stored one may differ from the
- * sequential one. */
+/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the last
+ * failing chunk is stored with `end`, one past its last iteration: 2 * (end + 1) + (ERANGE ? 1 :
+ * 0). If iterations in several threads fail with different errors, the stored one may differ from
+ * the sequential one. */
 void redcc_note_error(struct run *run, redcc_int end) {
     assert(end >= 0);
     const int error = errno;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Hooks let the runtime act before and after each update. The owner-checked form of a body tests
- * the owner (redcc_owns, or an inlined equivalent) before each update of an element, or of
- * several in one unit (a row, by a function that gets its address). An owner with a hook has an
+ * the owner (redcc_owns, or an inlined equivalent) before each update of an element. A function
+ * that gets a row's address may update several elements of that unit. An owner with a hook has an
  * empty range, so that every such call reaches redcc_hooked. Work after an update is done at the
  * next call, or at the end of the chunk (redcc_hooks_settle).
  *

@@ -12,7 +12,7 @@
 enum prefetch_setting {
     PREFETCH_OFF,
     PREFETCH_AUTO, /* if trials show that it pays (variant.h) */
-    PREFETCH_ON    /* whenever the loop permits it */
+    PREFETCH_ON    /* whenever loop and plan permit it */
 };
 
 /** Is it possible with this plan: does it write to the arrays directly? */

@@ -91,8 +91,7 @@ void redcc_run_note_variant(const struct run *run, struct variants *known, const
                             const double *iterations);
 
 /** Makes the thread's redcc_next hand out the iterations from `from` on, in order and in place;
- * from
- *  == trip: none. */
+ * from == trip: none. */
 void redcc_run_rest(redcc_worker *worker, redcc_int from);
 
 /** The same for iterations begin to before end. */

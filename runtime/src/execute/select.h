@@ -17,12 +17,12 @@
 struct selection {
     redcc_owner *window;  /* [arrays] the range that the thread owns */
     redcc_int trip;       /* iterations of the loop */
-    redcc_int idle_begin; /* the thread executes the iterations in [idle_begin, idle_end) */
-    redcc_int idle_end;   /* that touch nothing */
+    redcc_int idle_begin; /* iterations in [idle_begin, idle_end) that touch nothing */
+    redcc_int idle_end;   /* are executed by this thread */
     redcc_int executed;   /* number of iterations so far */
     bool asked;      /* the classes of iterations from worker->first on were requested and are not
                         evaluated yet */
-    redcc_int taken; /* number of classified iterations already handed out */
+    redcc_int taken; /* number of classified iterations already handed out or skipped */
     bool follows;    /* the flag of the last runs handed out (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
 };

@@ -7,12 +7,12 @@
  * If the sequential loop's bits are promised, an element with other bits is an error; so is a
  * different integer in any order. For floating sums in another order, only the largest difference
  * is reported. NaNs count as equal, whatever their bits. An execution concurrent with another one
- * of the same loop is not compared, nor is a loop with a scattered array, because memory between
- * its elements must not be copied.
+ * of the same loop is not compared. Nor, with a plan, is a loop with a scattered array, because
+ * memory between its elements must not be copied.
  *
  * With a plan, the written range is known before the loop runs. For a binned loop it is known
- * before each round, so that the copies grow. If a binned loop continues sequentially, the
- * iterations up to that point are compared.
+ * before each round's updates are applied, so that the copies grow. If a binned loop continues
+ * sequentially, the iterations up to that point are compared.
  */
 #ifndef REDCC_VALIDATE_H
 #define REDCC_VALIDATE_H
@@ -32,7 +32,7 @@ struct validated {
     long passed_over;     /* number not compared, because a scattered array cannot be copied */
     long broken;          /* number of executions with errors */
     atomic_long misnamed; /* updates of rows that a slice did not name (redcc/parallel.h) */
-    double largest;       /* largest difference, in ulps; */
+    double largest;       /* largest difference, in ulps */
     const char *array;    /* the array in which it was found */
     char name[64];        /* storage for that array's name */
     redcc_int element;    /* counted from the array's first one */

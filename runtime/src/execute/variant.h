@@ -24,7 +24,7 @@ enum {
 struct variants {
     struct paired_timing pairs; /* of the current trial */
     bool best;                  /* the last trial's winner: with prefetches? */
-    long executions;            /* number of executions that were long enough to compare variants */
+    long executions;            /* number of executions in which the choice was open */
     struct back_off back_off;   /* counts executions until the next trial */
 };
 

@@ -5,11 +5,11 @@
  *
  * Most touches and reads need no call of the runtime: a touch in the array's window, and a read in
  * the source's clear range. No window overlaps a clear range. If all relevant read ranges are
- * known, a window is the gap between two of them. Otherwise it is the touched range with a
- * margin on each side, which is as long as the range but extends at most halfway to the next
- * read range; clear ranges lie between two
- * windows. So a range that grows with each iteration is processed a logarithmic number of times. A
- * read in a margin need not overlap a touched address: then a second run without margins follows.
+ * known, a window is the gap between two of them. Otherwise it is the touched range with a margin
+ * on each side, as long as the range but at most halfway to the next read range. Clear ranges lie
+ * between two windows. So a range that grows with each iteration is processed a logarithmic number
+ * of times. A read in a margin need not overlap a touched address: then a second run without
+ * margins follows.
  */
 #include "inspect/inspection.h"
 
@@ -134,7 +134,6 @@ static uintptr_t least(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* The range with a margin on each side. */
 static struct range with_margin(const struct gap *gap) {
     const size_t size = redcc_range_size(gap->range);
     return (struct range){gap->range.first - least(size, (gap->range.first - gap->free.first) / 2),

@@ -34,11 +34,11 @@ struct dry_run {
                            * read, except possibly reads in clear ranges */
     redcc_owner *clear;   /* [source_count] a read in it overlaps no window */
     bool has_margins;     /* windows are larger than the touched ranges */
-    bool ended_in_margin; /* a read in a margin ended it, which may overlap no touched range */
+    bool ended_in_margin; /* a read in a window ended it, perhaps only in a margin */
     redcc_int block;      /* iterations until the deadline is checked again */
     bool no_conflict;     /* result: no updated element is read */
     bool leaves;          /* result: an iteration leaves the loop */
-    double seconds;       /* its duration, at the end */
+    double seconds;       /* the dry run's duration, at the end */
 };
 
 /** Times the slice of some iterations, repeatedly, so that cache misses are not included. */
@@ -57,7 +57,7 @@ struct inspector {
     bool failed;          /* out of memory */
     bool recorded_all;    /* all requested iterations were recorded */
     bool late;            /* the deadline passed before that */
-    redcc_int next;       /* the sweep's next iteration */
+    redcc_int next;       /* next iteration of the sweep or dry run */
     redcc_int handed;     /* iterations handed out in the current block */
     redcc_int block;      /* maximum size of a block; with a deadline it grows */
     redcc_int largest;    /* limit of this growth */
@@ -122,8 +122,8 @@ bool redcc_inspection_is_late(const struct inspection *inspection);
  * fraction of the stage, 0 to 1. False in the first 16th of the time. */
 bool redcc_inspection_will_be_late(const struct inspection *inspection, double done);
 
-/** With a deadline, the clock is first read after a few iterations, since they may be heavy, then
- * at intervals that double up to the second number (50 microseconds to a millisecond). */
+/** With a deadline, the clock is first read after 16 iterations, since they may be heavy. Then the
+ * intervals double, up to 16384 iterations: 50 microseconds to a millisecond, if they are light. */
 enum { REDCC_FIRST_BEFORE_DEADLINE = 16, REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
 static inline redcc_int redcc_next_before_deadline(redcc_int block) {
     return block < REDCC_BLOCK_BEFORE_DEADLINE ? 2 * block : block;
@@ -163,15 +163,16 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
 void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspector,
                         redcc_worker *worker);
 
-/** Does the read range recorded for the source overlap a touched range? If so, ends the run. */
+/** Does the range read of the source overlap an array's window? If so, or for REDCC_LEAVES, ends
+ * the run. */
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source);
 
 /** The fraction of the iterations that the dry run has recorded. */
 double redcc_dry_run_done(const struct inspection *inspection);
 
-/** Ends the run. Returns REASON_OVERLAP (inspection->overlap has the two), REASON_DEADLINE,
- * REASON_NO_MEMORY or REASON_NONE. */
+/** Ends the run. Returns REASON_OVERLAP (inspection->overlap has the two), REASON_LEAVES,
+ * REASON_DEADLINE, REASON_NO_MEMORY or REASON_NONE. */
 enum reason redcc_dry_run_finish(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */
@@ -210,7 +211,7 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed);
 
-/** Hands out the next block. False: none is left. */
+/** Hands out the next block. False: none is left, or the sweep has failed or is late. */
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
                           redcc_worker *worker);
 
@@ -258,7 +259,8 @@ redcc_int redcc_executed_in_all(const struct inspection *inspection);
 /** The same if the stealable blocks of the access graph were joined to their owners. */
 redcc_int redcc_executed_joined(const struct inspection *inspection);
 
-/** The fraction of the iterations that the most loaded thread executes by LOCALWRITE. */
+/** The fraction of the iterations that the most loaded thread executes by LOCALWRITE; with
+ * stealable blocks at least an equal share. */
 double redcc_largest_share(const struct inspection *inspection);
 
 /** The number of iterations, in all threads' shares, that touch other owners than the preceding

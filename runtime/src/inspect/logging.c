@@ -68,7 +68,8 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
     redcc_memory_free(range);
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->pace.deadline;
-    if (inspection->route == ROUTE_LEVELS) /* the method was named, so the memory is unlimited */
+    if (inspection->route ==
+        ROUTE_LEVELS) /* the method was named, so the log's length is not limited */
         divide->most_logged = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;
 }

@@ -20,19 +20,20 @@
 #define SAMPLED_SECONDS 25e-6
 
 enum {
-    SAMPLED_FOR_AN_OWNER = 512, /* iterations per owner, of all threads together; */
-    /* minimum number of iterations if one thread takes a sample only for an estimate */
+    SAMPLED_FOR_AN_OWNER = 512, /* maximum iterations per owner, of all threads */
+    /* iterations per owner: the minimum of a sample, if time permits; the maximum if one thread
+     * takes it only for an estimate */
     SAMPLED_FOR_A_LOOK = 128,
     SAMPLED_OF = 16, /* one iteration in this many is sampled, within the limits: a larger sample of
                         a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128, /* the same for an estimate; smaller, because iterations of a short loop may
-                           be heavy */
-    LOOKED_AT_LEAST = 16,                       /* minimum number of iterations for an estimate */
-    SAMPLED_MOST = 8192,                        /* maximum number of iterations */
+    LOOKED_AT_OF = 128,   /* the same for an estimate, for which fewer are taken, because iterations
+                             of a short loop may be heavy */
+    LOOKED_AT_LEAST = 16, /* minimum iterations per owner for an estimate */
+    SAMPLED_MOST = 8192,  /* maximum number of iterations */
     SAMPLED_TOUCHES = 32768,                    /* touches kept, with few owners */
     SAMPLED_TOUCHES_AN_OWNER = 2048,            /* touches kept per owner, with many owners */
     SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* maximum number of touches kept */
-    ROWS_OF_A_TOUCH = 64                        /* maximum weight of a touch, in rows */
+    ROWS_OF_A_TOUCH = 64                        /* maximum number of sampled rows of a touch */
 };
 
 /* Is the sample only an estimate for tiles, which have no owners? */
@@ -42,8 +43,9 @@ static bool is_for_tiles(const struct inspection *inspection) {
            redcc_can_be_tiled(request->trip);
 }
 
-/* The number of iterations, between few / 2 and `most`, that fit in the sample's time. Heavy
- * iterations have many touches, so fewer of them give as much information. */
+/* The number of iterations, between few / 2 and `most`, that fit in the sample's time; `most`
+ * unless the order is serial. Heavy iterations have many touches, so fewer of them give as much
+ * information. */
 static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
     const double usual = inspection->pace.usual;
     if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)

@@ -24,8 +24,8 @@ static inline void redcc_wait_for(struct back_off *it, long now, long length) {
     it->until = now + length;
 }
 
-/** Begins the next, longer wait at count `now`. It is at most `now` long, since little is known of
- * a new loop. */
+/** Begins the next wait at count `now`, twice as long up to the limit. It is at most `now` long,
+ * since little is known of a new loop. */
 static inline void redcc_back_off(struct back_off *it, long now) {
     const long length = redcc_longer(it->length);
     redcc_wait_for(it, now, length < now ? length : now);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * All constants of `auto`, each with the measurement behind it. Eleven belong to the rule
- * (docs/choosing.md), nine to the cost model. The latter are first estimates, which measurements of
- * the run replace. Times are those of the machines in bench/results.
+ * The constants of auto's decisions, each with the measurement behind it. Eleven belong to the rule
+ * (docs/choosing.md), nine to the cost model. The latter give first estimates, which measurements
+ * of the run replace. Times are those of the machines in bench/results.
  */
 #ifndef REDCC_LEARN_CONSTANTS_H
 #define REDCC_LEARN_CONSTANTS_H
@@ -39,7 +39,8 @@
  *  sequential. */
 #define LEARN_WAKES 16
 /** Calls of the first wait of an exponential back-off; the longest wait is 128 times as long. A
- * failed trial costs a fraction of an execution, which is then 0.1 % of the time. */
+ * failed trial costs a fraction of an execution: less than 0.1 % of the time after the longest
+ * wait. */
 #define LEARN_BACK_OFF 16
 /** After this many consecutive calls with known subscripts, these are expected to stay. After half
  * of it they no longer count as new. Half as many plan constructions that did not pay show that
@@ -53,8 +54,8 @@
  *  to 0.4 ms), ten times as long on a busy one (2 to 6). */
 #define LEARN_SAMPLE 0.4e-3
 /** Iterations of that sample. A loop that cannot be inspected and has at least the square of this
- * number of iterations is tried in bins in its first execution, with a 16th of it. Its subscripts
- * take 10 ns or more each, so it takes milliseconds. */
+ * number of iterations is tried in bins in its first execution, with a 16th of it. At 10 ns or more
+ * per iteration it takes 0.7 ms or more. */
 #define LEARN_SAMPLED 256
 /** Recording a touch of an iteration with the same owners as the preceding one. Beginning a run of
  *  iterations takes three times that, and logging a touch seven. */

@@ -54,7 +54,7 @@ static double room_for(const struct choice *c, enum way way) {
 }
 
 /* A strategy that is clearly faster may run while the credit is negative, because it repays the
- * debt. All of its executions together must have gained; one slow execution does not end it. */
+ * debt. Its executions since then together must have gained; one slow execution does not end it. */
 static bool may_execute(const struct choice *c, enum way way) {
     const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
     return repays || room_for(c, way) >= 0;
@@ -90,8 +90,8 @@ static bool are_stable(const struct choice *c) {
 }
 
 /* Remaining seconds of a plan construction, including starting threads. At least half of the
- * inspection's cost is assumed to remain, even if the time spent so far suggests less. For a plan
- * whose subscripts are new in each call, the slice must not be assumed to be cheaper than the body.
+ * inspection's cost, without its dry run and waits, is assumed to remain. For a plan whose
+ * subscripts are new in each call, the slice must not be assumed to be cheaper than the body.
  */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
@@ -103,8 +103,8 @@ static double cost_of(const struct choice *c, enum way way) {
 
 /* The expected number of executions by a plan constructed now: as many as there were so far (rent
  * or buy), or only this one if the subscripts are new. If changed subscripts ended earlier plans,
- * the present ones are expected to last as long as those of the last plan or, if they have lasted
- * longer already, as long again. */
+ * the present ones are expected to last as long as the last plan's, or an eighth of the calls
+ * since. If they have lasted longer already, they are expected to last as long again. */
 static double horizon_of(const struct choice *c) {
     const struct set_ups *it = &c->size->set_ups;
     if (it->lifetime == 0)
@@ -115,7 +115,8 @@ static double horizon_of(const struct choice *c) {
     return (double)(life > age ? life - age : age);
 }
 
-/* Rent or buy: has the loop run sequentially for the required multiple of `seconds`? */
+/* Rent or buy: has the sequential time since the last plan construction reached the required
+ * multiple of `seconds`? */
 static bool has_waited_for(const struct choice *c, double seconds) {
     return seconds * redcc_factor(&c->size->set_ups) <= c->size->set_ups.since;
 }
@@ -126,7 +127,8 @@ static bool is_affordable(const struct choice *c, enum way way) {
     return all <= room_for(c, way) && has_waited_for(c, all);
 }
 
-/* Only one overdraft at a time, and none after a plan construction that did not earn its cost. */
+/* May an overdraft be allowed, or the present one be extended? Only in PHASE_SAVING without a debt,
+ * and not after a plan construction that did not earn its cost. */
 static bool can_overdraw(const struct choice *c) {
     return c->size->phase == PHASE_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
            (c->ledger->overdraft > 0 || credit_of(c->ledger) >= 0);
@@ -174,9 +176,9 @@ static bool goes_without_plan(const struct choice *c) {
     return c->now->kept[WAY_DIRECT] == KEPT_FITS && !c->size->arm[WAY_DIRECT].ruled_out;
 }
 
-/* Seconds that a sample takes. Until the first dry run was timed, a loop that needs no plan assumes
- * a 16th of an execution for it (0.05 in loops over blocks); a deadline ends a dry run that takes
- * longer. */
+/* Seconds that a sample takes. Until a dry run was timed, it is assumed to take an execution, or a
+ * 16th of one in a loop that needs no plan. (0.05 was measured in loops over blocks.) A deadline
+ * ends a longer one. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
     const double dry =
@@ -202,14 +204,15 @@ static struct decision reuse(const struct choice *c, enum way way, enum rule rul
     return decision;
 }
 
-/* The spent part of an overdraft remains a debt. */
+/* Sets an overdraft, or extends it, to `seconds`. Its spent part remains a debt. */
 static void allow_overdraft(const struct choice *c, double seconds) {
     c->ledger->overdraft = most_of(c->ledger->overdraft, seconds);
 }
 
 /* A plan construction within an overdraft or the credit, for a strategy better than `current`
- * seconds per iteration, if there is one. The overdraft covers twice the cost of the construction.
- * It also covers a fraction of an execution, since threads may not get a core at once. */
+ * seconds per iteration, if there is one. The overdraft covers twice the cost of the construction,
+ * and a fraction of an execution, since threads may not get a core at once. It is at most
+ * LEARN_OVERDRAFT executions. */
 static struct decision set_up(const struct choice *c, double current) {
     const double usual = usual_of(c);
     enum way way = can_overdraw(c)
@@ -230,10 +233,10 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* Takes a sample. All threads take part, so that a plan construction can follow at once, if the
- * subscripts are likely to stay and the credit covers starting the threads. An overdraft covers
- * this if it is small compared with an execution. Otherwise one thread takes the sample and waits
- * for no other: most light loops turn out not to be worth more. */
+/* Takes a sample. All threads take part if the subscripts are likely to stay, or no plan is needed,
+ * and if the credit covers starting the threads: a plan construction can then follow at once. An
+ * overdraft covers this if it is small compared with an execution. Otherwise one thread takes the
+ * sample and waits for no other: most light loops turn out not to be worth more. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;
@@ -264,7 +267,6 @@ static struct decision take_up(const struct choice *c, enum way way) {
     return reuse(c, way, RULE_FASTER);
 }
 
-/* Constructs a plan, if that is worth it. */
 static struct decision decide_set_up(const struct choice *c) {
     if (redcc_misses(&c->size->set_ups) >= LEARN_STABLE / 2 && c->now->steady >= 0 &&
         c->now->steady < LEARN_STABLE / 2)
@@ -277,11 +279,11 @@ bool redcc_goes_at_once(const struct situation *now) {
            now->trip >= (long long)LEARN_SAMPLED * LEARN_SAMPLED;
 }
 
-/* Are bins tried before any inspection? So if the loop has no inspection; if its inspection begins
- * with a dry run, which may take as long as the loop; or if iterations are so heavy that an
- * inspection may take longer than a trial of bins may lose. Heavy iterations have inner loops, and
- * the inspection records all rows that these touch (for tiles only the first and the last). The
- * first execution may be a trial that times the sequential loop as well. */
+/* Are bins tried before any inspection? They are if the loop cannot be inspected, or if an
+ * inspection begins with a dry run, which may take as long as the loop. They are also if iterations
+ * are so heavy that an inspection may take longer than a trial of bins may lose. Heavy iterations
+ * have inner loops, and the inspection records all rows that these touch (for tiles only the first
+ * and the last). The first execution may be a trial that times the sequential loop as well. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     const double usual = redcc_usual(c->size);
@@ -343,8 +345,8 @@ static struct decision decide_saving(const struct choice *c) {
                : decision;
 }
 
-/* The plan in use is for other subscripts: its overdraft is still owed, but no more of it may be
- * spent. */
+/* No plan of the strategy in use fits this call: its overdraft is still owed, but no more of it may
+ * be spent. */
 static struct decision leave_plan(const struct choice *c) {
     c->size->phase = PHASE_SAVING;
     c->ledger->overdraft = 0;
@@ -376,7 +378,7 @@ static bool is_check_due(const struct choice *c) {
 
 /* Is a sample taken while a strategy is in use that was tried before any sample? It need not be the
  * best one. The execution after a sample is sequential; the gain that it loses is part of the cost,
- * which a share of the time so far must cover. */
+ * which a share of the time since the last plan construction must cover. */
 static bool looks_for_more(const struct choice *c, double current) {
     const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
     const double cost = look_of(c) + most_of(lost, 0);
@@ -411,8 +413,8 @@ static struct decision decide_parallel(const struct choice *c) {
     return reuse(c, c->size->way, RULE_FASTER);
 }
 
-/* Of the strategies available in this call, the one that was the fastest when it was last
- * executed. */
+/* Of the strategies available in this call, the fastest in its last executions; one without plans
+ * only if it was faster than the sequential loop. */
 static enum way fastest_known(const struct choice *c) {
     enum way best = WAY_SEQUENTIAL;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
@@ -424,7 +426,8 @@ static enum way fastest_known(const struct choice *c) {
     return best;
 }
 
-/* Ends a back-off, since its reason may no longer hold. */
+/* Ends a back-off, since its reason may no longer hold: compares the fastest known strategy again
+ * if it was slower; otherwise discards the estimates. */
 static void end_back_off(const struct choice *c) {
     const bool was_slower = c->size->rule == RULE_SLOWER;
     c->size->phase = PHASE_SAVING;

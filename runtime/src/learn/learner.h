@@ -8,9 +8,9 @@
  *     redcc_observe    the result of the action, and its time
  *
  * No clock, no threads, no allocation: times come with the observations. Any action that may take
- * longer than the sequential loop is paid from the credit: a 32nd of the loop's time so far, past
- * gains, and one overdraft at a time, for a plan that is expected to repay it soon. Used by one
- * thread at a time.
+ * longer than the sequential loop is paid from the credit. The credit is a 32nd of the loop's time
+ * so far, past gains, and one overdraft at a time, for a plan that is expected to repay it soon.
+ * Used by one thread at a time.
  */
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H
@@ -31,16 +31,16 @@ struct timings {
 /** Estimates and measurements of a strategy. */
 struct arm {
     bool possible;
-    bool ruled_out;   /**< its trial failed: not available until the loop's back-off ends */
+    bool ruled_out;   /**< a trial failed: not available until the loop's back-off ends */
     bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
     double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
-    double learned;   /**< measured seconds, or a lower bound; 0: none was constructed */
+    double learned;   /**< measured seconds of the same, or a lower bound; 0: none */
     double execution; /**< seconds per iteration, including the check of a kept plan; estimated */
-    struct timings timed; /**< and measured */
+    struct timings timed; /**< the measured executions */
 };
 
 /** Is there a kept plan for this call? A strategy without plans fits if the loop has a form for it,
- *  and is only tried if a sample suggested that it may pay. */
+ * and is usually tried only if a sample suggested that it may pay. */
 enum kept_match {
     KEPT_NONE,
     KEPT_CHANGED, /**< one for other subscripts, according to a sample */
@@ -50,13 +50,13 @@ enum kept_match {
 /** A call. */
 struct situation {
     long long trip; /**< iterations */
-    int threads;    /**< that would execute them */
+    int threads;    /**< threads that would execute these */
     double wake;    /**< measured seconds to wake them */
-    double start;   /**< seconds to start the missing ones; 0: none is missing, or none is to be
-                     * woken (redcc_reach) */
-    double spent;   /**< seconds of the current inspection so far */
-    double dried;   /**< seconds of its dry run in `spent`, */
-    double awaited; /**< and of waiting for threads that had to be started */
+    double start; /**< seconds to start the missing ones, or a lower bound (redcc_reach); 0: none is
+                     missing */
+    double spent; /**< seconds of the current inspection so far */
+    double dried; /**< of `spent`: seconds of the dry run */
+    double awaited; /**< of `spent`: seconds of waiting for threads that had to be started */
     enum kept_match kept[WAY_COUNT];
     int steady;     /**< consecutive calls whose sampled subscripts were those of one of the last
                      * calls; -1: unknown */
@@ -65,10 +65,10 @@ struct situation {
     bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
-    bool begun; /**< this is the rest of the first execution, some iterations of which were timed in
-                   order: a strategy that pays in it alone is not delayed */
-    bool tiled; /**< it is a loop over pairs, whose inspection is short, */
-    bool in_tiles; /**< and it may be cut into tiles, so that WAY_DIRECT needs no estimate */
+    bool begun;     /**< the call is the rest of the first execution, some iterations of which were
+                       timed in order: a strategy that pays in this call alone is not delayed */
+    bool tiled;     /**< the inspection is short: a loop over pairs, or REDCC_BLOCKS */
+    bool in_tiles;  /**< the loop may be cut into tiles, so that WAY_DIRECT needs no estimate */
 };
 
 enum action {
@@ -98,7 +98,7 @@ enum result {
     RESULT_SEQUENTIAL,
     RESULT_PARALLEL,     /**< after a plan construction, if set_up > 0 */
     RESULT_UNATTRACTIVE, /**< the inspection ended after its sample, by redcc_pick_way's decision */
-    RESULT_STOPPED,      /**< ... or at its deadline */
+    RESULT_STOPPED,      /**< the inspection ended at its deadline */
     RESULT_CHANGED,      /**< the kept plan's subscripts have changed */
     RESULT_LEFT,         /**< a trial was slower than allowed; the rest ran sequentially */
     RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: all strategies */
@@ -135,15 +135,15 @@ struct comparison {
 
 /** Plan constructions at one size. */
 struct set_ups {
-    double since;    /* sequential seconds since the last one */
-    double factor;   /* multiple of its estimated cost that `since` must reach for another; 0: the
-                      * initial one */
+    double since;  /* seconds that the sequential loop took, or would have taken, since the last */
+    double factor; /* multiple of its estimated cost that `since` must reach for another; 0: the
+                      initial multiple */
     double invested; /* seconds that the last one took */
-    double earned;   /* seconds that its plan has saved */
+    double earned;   /* seconds that executions have saved since */
     int misses;    /* consecutive constructions whose plans were abandoned before they had saved as
                       much as they cost */
     long begun;    /* the call that made the last one */
-    long uses;     /* executions by its plan */
+    long uses;     /* parallel executions since */
     long met;      /* consecutive calls before that one that had the same subscripts */
     long lifetime; /* calls that the subscripts of the preceding plan lasted; 0: no plan ended by a
                       change */
@@ -158,8 +158,8 @@ struct size_state {
     bool looked;      /* a sample was taken, so that the arms are known */
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds per iteration of the sequential loop at the time of that sample */
-    double gained;    /* seconds gained by strategies: in the last execution or, while the credit is
-                         negative, since it became so */
+    double gained; /* seconds gained by strategies: in the last execution or, while there is a debt,
+                      since it began */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
     int checks;       /* consecutive checks in which a plan was faster */
     long calls;
@@ -194,7 +194,7 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
 /** The feasible actions in a call. */
 enum reach {
     REACH_NOTHING, /**< the sequential loop */
-    REACH_LOOK,    /**< that, or a sample by one thread */
+    REACH_LOOK,    /**< the sequential loop, or a sample by one thread */
     REACH_TEAM     /**< threads may be woken */
 };
 
@@ -208,9 +208,9 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
 /** The action in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
 
-/** An inspection has sampled the loop (`spent` seconds so far): stores the arms [WAY_COUNT] and
- *  returns the strategy whose plan construction pays and is within the credit, with its deadline
- *  from now on; ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
+/** An inspection has sampled the loop (`spent` seconds so far): stores the arms [WAY_COUNT].
+ * Returns the strategy whose plan construction pays and is within the credit, with its deadline
+ * from now on. ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct arm *arm, double spent);
 
@@ -240,8 +240,8 @@ double redcc_typical(const struct timings *timings);
 /** The same for the sequential loop. */
 double redcc_usual(const struct size_state *size);
 
-/** Seconds per iteration by that strategy. Estimates are relative to the sequential loop, whose
- *  first execution takes longer than others. */
+/** Seconds per iteration by that strategy. Estimates are scaled by the sequential loop's time,
+ * since its first execution takes longer. */
 double redcc_expected(const struct size_state *size, enum way way);
 
 /** Is that strategy feasible, and worth a trial when an iteration takes `current` seconds? */

@@ -44,7 +44,7 @@ int redcc_misses(const struct set_ups *it) {
     return missed(it) ? it->misses + 1 : 0;
 }
 
-/* Each plan construction that did not pay doubles it, each that paid halves it. */
+/* Each plan construction that did not pay doubles the factor, each that paid halves it. */
 double redcc_factor(const struct set_ups *it) {
     const double now = it->factor > 0 ? it->factor : LEARN_FACTOR;
     if (it->invested == 0)
@@ -84,7 +84,7 @@ static void leave_back_off(struct size_state *size, enum phase phase) {
     size->phase = phase;
 }
 
-/* After the strategy failed in a trial: is there another one that may be better than the sequential
+/* Rules out the strategy that failed. Is there another one that may be better than the sequential
  * loop? */
 static bool another_may_do(struct size_state *size, enum way failed) {
     size->arm[failed].possible = false;
@@ -104,7 +104,7 @@ static void return_to_sequential(struct size_state *size, enum way way) {
         back_off(size, RULE_SLOWER);
 }
 
-/* A comparison is over: was the contender faster? */
+/* Ends a comparison: selects the faster strategy, or backs off. */
 static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
     struct arm *arm = &size->arm[it->contender];
@@ -141,7 +141,7 @@ enum way redcc_arm_to_run(const struct comparison *it) {
 static void count_in_comparison(struct size_state *size, enum way way, double each, double usual) {
     struct comparison *it = &size->comparison;
     if (way != redcc_arm_to_run(it))
-        return; /* it ran sequentially for lack of credit */
+        return; /* for lack of credit, the loop ran sequentially */
     redcc_paired_note(&it->pairs, each);
     if (it->pairs.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);
@@ -149,7 +149,7 @@ static void count_in_comparison(struct size_state *size, enum way way, double ea
         settle(size, redcc_paired_winner(&it->pairs) == 0);
 }
 
-/* Do two timings differ by more than noise? Then the machine's load has changed. */
+/* Do two timings differ by more than twice the noise? Then the machine's load has changed. */
 static bool is_another(double before, double now) {
     return now * (1 + 2 * LEARN_NOISE) < before || now > (1 + 2 * LEARN_NOISE) * before;
 }

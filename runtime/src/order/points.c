@@ -67,7 +67,8 @@ static int by_place(const void *a, const void *b) {
     return (p->point > q->point) - (p->point < q->point);
 }
 
-/* The width of one coordinate's range; infinite values are limited to a quarter of DBL_MAX. */
+/* The width of one coordinate's range; values are limited to plus and minus a quarter of
+ * DBL_MAX. */
 static double width_of(int count, int dimensions, const double *coordinate, double *least) {
     double low = DBL_MAX, high = -DBL_MAX;
     for (int p = 0; p < count; p++) {

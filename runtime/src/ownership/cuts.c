@@ -19,7 +19,7 @@ struct label {
     uint32_t high;
 };
 
-/* The touches of a group, sorted by address. */
+/* The sampled touches of a group, sorted by address. */
 struct points {
     struct point *point;
     size_t count;
@@ -30,7 +30,7 @@ struct work {
     const struct sample *const *sample;
     int threads;
     struct points *points_of;     /* [array_count] the points of each group */
-    struct point *point;          /* their storage, group by group */
+    struct point *point;          /* the points' storage, group by group */
     struct point *spare;          /* scratch memory of the same length */
     struct label *label_of;       /* [iterations of the sample] */
     struct label *label_of_point; /* for each of a group's points: its iteration's label */
@@ -53,7 +53,7 @@ static struct points gather(const struct work *work, uint32_t group, struct poin
     return points;
 }
 
-enum { MOST_BITS = 11 }; /* maximum for a digit of the radix sort */
+enum { MOST_BITS = 11 }; /* maximum length of a digit of the radix sort */
 
 /* Stable counting sort of points by bits [shift, shift + bits) of the address. */
 static void sort_by_digit(const struct point *from, struct point *to, size_t count, unsigned shift,
@@ -135,7 +135,8 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
 }
 
 /* The cut between points that best separates the iterations completely below owner `owner` from
- * those completely at or above it. Of equally good positions, the middle one. */
+ * those completely at or above it. Of equally good positions: midway between the first and the
+ * last. */
 static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
     const struct points points = work->points_of[group];
     long cost = 0;

@@ -8,10 +8,10 @@
 /**
  * Cuts the groups of a partition, from the samples of `threads` threads (sample [threads]).
  *
- * The leading group is the first one that yields one part per owner. It is cut at quantiles of its
- * sampled touches. Each cut of another group is placed so that it best separates the touches of the
- * iterations on the two sides of the leading group's cut. So if an iteration needs two owners for
- * one array, it usually needs the same two for the others.
+ * Each group is first cut at quantiles of its sampled touches. The leading group is the first of
+ * those with the most different cuts. Each cut of another group is then placed so that it best
+ * separates the touches of the iterations on the two sides of the leading group's cut. So if an
+ * iteration needs two owners for one array, it usually needs the same two for the others.
  *
  * Returns false if out of memory. Cost: O(touches * owners), at most some 10^5 touches.
  */

@@ -28,7 +28,7 @@ struct span_of_owners {
     uint32_t high;
 };
 
-/* Is it the first touch of its iteration at this address? */
+/* Is item i the first touch of its iteration at its address, among the last 32 items? */
 static bool is_new_row(const struct sample *sample, size_t i) {
     enum { LOOKED_BACK = 32 };
     const struct sampled *item = &sample->item[i];
@@ -41,8 +41,8 @@ static bool is_new_row(const struct sample *sample, size_t i) {
     return true;
 }
 
-/* Counts the owners' iterations in a thread's sample, and how often consecutive iterations
- * differ. */
+/* Counts the owners' iterations in a thread's sample, and how often consecutive iterations touch
+ * different owners. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
     const uint32_t each = 1 + partition->stealable;

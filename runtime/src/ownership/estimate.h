@@ -21,8 +21,9 @@ struct estimate {
     double overhead; /* fraction of the iterations that are replicated because of stealable
                       * blocks */
     struct touching each; /* averages per iteration */
-    double changes; /* fraction of the sampled iterations that touch other owners than the preceding
-                     * sampled one: roughly an upper bound on the fraction that begins a run */
+    double changes; /* fraction of the sampled iterations whose lowest or highest owner differs from
+                       the preceding sampled one's: roughly an upper bound on the fraction that
+                       begins a run */
 };
 
 /** Computes statistics of the samples of `threads` threads for a partition that is cut, or has a

@@ -23,8 +23,7 @@ static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t so
     return !(loop->sources[source].flags & REDCC_OVERLAPS_NO_ARRAY);
 }
 
-/** Must the source be compared with scalars? All flags greater than REDCC_IS_SUBSCRIPT imply this.
- */
+/** Must the source be compared with scalars? All flags except REDCC_IS_SUBSCRIPT imply this. */
 static inline bool redcc_may_overlap_scalars(const redcc_loop *loop, uint32_t source) {
     return loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
 }

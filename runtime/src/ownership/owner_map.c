@@ -118,8 +118,8 @@ static uint32_t best_of(const struct poll *poll) {
 }
 
 /* Chooses the owners of a group's blocks that maximise the votes minus `price` per change of owners
- * between adjacent blocks, so that nearly even votes do not make owners alternate at random.
- * (Viterbi's algorithm, 1967.) */
+ * between adjacent blocks, by Viterbi's algorithm (1967). Without the price, nearly even votes
+ * would make owners alternate at random. */
 static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it,
                   uint64_t price) {
     const size_t owners = poll->owners;

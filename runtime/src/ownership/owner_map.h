@@ -17,8 +17,8 @@
 void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
                           const struct sample *const *samples, int threads);
 
-/** Extends the map to the touched ranges. If out of memory, or if it would have too many blocks, it
- * is removed. */
+/** Extends the map to the touched ranges. It is removed if out of memory, if it has no block of a
+ * touched group, or if it would have too many blocks. */
 void redcc_owner_map_extend(struct partition *partition, const struct range *touched);
 
 /** The owner, by the map, of the byte at `address` of group `group` or, outside of the map, of the

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The partition of bytes among owners: arrays that overlap form a group, each group is cut into one
- * consecutive part per owner, and part o of every group belongs to owner o.
+ * The partition of bytes among owners: arrays that overlap form a group, and each group is cut into
+ * one consecutive part per owner. Part o of every group belongs to owner o.
  */
 #ifndef REDCC_PARTITION_H
 #define REDCC_PARTITION_H
@@ -25,7 +25,7 @@ enum { REDCC_OWNERS_MOST = 256 }; /* maximum number of owners for a map */
 /** The part of a map for the units of one group. */
 struct group_map {
     ptrdiff_t first; /* offset of the first unit from the group's base */
-    uint32_t begin;  /* its index in the map */
+    uint32_t begin;  /* the first unit's index in the map */
     uint32_t count;  /* number of units */
     uint32_t bytes;  /* of a unit, which is one row or several */
 };
@@ -44,13 +44,13 @@ struct partition {
      * stealable blocks: small parts for threads that finish early */
     uint32_t stealable;
     uintptr_t *base;    /* [array_count] the arrays' first elements */
-    uint32_t *group_of; /* [array_count] its group, identified by one of the group's arrays: the one
-                         * with the largest unit */
+    uint32_t *group_of; /* [array_count] the array's group, identified by the group's array with the
+                           largest unit */
     uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is the
                          * beginning of owner o; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */
     uint32_t leader;    /* the group that determines the cuts of the others */
-    struct owner_map map; /* if present, it defines the owners instead of the cuts */
+    struct owner_map map; /* if present, defines the owners instead of the cuts */
     double share; /* if owners are kept for later executions: fraction of the iterations that the
                    * most loaded owner executed in the first one; otherwise 0 */
 };
@@ -70,7 +70,7 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
 
-/** Adapts the owners to the arrays' current addresses. */
+/** Moves the cuts with the arrays, which now begin at `bases`. */
 void redcc_partition_move(struct partition *partition, void *const *bases);
 
 /** Makes a single owner of everything. It may be cut again, for at most the original number of
@@ -81,7 +81,7 @@ void redcc_partition_in_one(struct partition *partition);
  * freed separately. False: out of memory. */
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
 
-/** Merges owners[o * (1 + stealable)] and its stealable blocks into one owner, number o. */
+/** Merges owner o * (1 + stealable) and its stealable blocks into one owner, number o. */
 void redcc_partition_join_stealable(struct partition *partition);
 
 /** Gives every owner empty stealable blocks, which own no addresses. There must be room for them.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A sample of the touched addresses, of iterations spread evenly over the loop, for choosing the
- * cuts. One sample per thread.
+ * cuts and for estimates. One sample per thread.
  */
 #ifndef REDCC_SAMPLE_H
 #define REDCC_SAMPLE_H
@@ -37,7 +37,7 @@ void redcc_sample_end(struct sample *sample);
 
 /** Adds `count` touches at intervals of `step` bytes. A full sample drops about half of the items
  * and halves the rate from then on, so that loops with thousands of touches per iteration are also
- * sampled evenly. Items are selected by a quasirandom sequence over iteration and touch: every n-th
+ * sampled evenly. Items are selected by a quasirandom sequence over iteration and touch. Every n-th
  * touch might always be of the same array, and a hash would leave more items in one part than in
  * another. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, uint32_t count,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sets of owners, each stored once and identified by a number: 0 is the empty set, 1 + o the set
+ * Sets of owners, each stored once and identified by a number. 0 is the empty set, 1 + o the set
  * {o}; larger ones follow in the order of their first use.
  */
 #ifndef REDCC_SETS_H
@@ -15,8 +15,8 @@ struct sets {
     uint32_t owners;
     uint32_t count;    /* of sets */
     uint32_t capacity; /* of sets */
-    size_t *start; /* [capacity + 1] members of set s: member[start[s]] .. member[start[s + 1]] */
-    uint32_t *member; /* ascending within a set */
+    size_t *start;     /* [capacity + 1] set s: member[start[s]] .. member[start[s + 1] - 1] */
+    uint32_t *member;  /* ascending within a set */
     size_t member_capacity;
     uint32_t *slot; /* [slots] open-addressing hash table of set numbers; 0: free */
     uint32_t slots; /* a power of two */

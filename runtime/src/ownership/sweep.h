@@ -2,7 +2,7 @@
 /**
  * Converts an inspector's recorded addresses to an access summary. One sweep per thread.
  *
- * The usual case, a touch of the same owner as before, makes no entry (redcc_touch): `window` is
+ * The usual case, a touch of the same owner as before, makes no entry (redcc_touch). `window` is
  * the part of an array that the current owner owns, within the range that this thread has touched
  * so far. So a touch inside it neither widens that range nor changes the owner.
  */
@@ -17,11 +17,11 @@ struct sweep {
     redcc_owner *window; /* [array_count] for each array */
     uint32_t current;    /* an owner that the current or the last iteration touches */
     bool touched;        /* the current iteration touches an element */
-    bool mixed;          /* it touches elements of several owners, those in `list` */
+    bool mixed; /* the current iteration touches several owners' elements; `list` has them */
     uint32_t last_set;
     redcc_int in_last_set; /* iterations not yet added to the summary */
-    uint64_t iteration;    /* the current iteration's stamp */
-    uint64_t *stamp;       /* [owners] stamp of the last iteration that touched the owner */
+    uint64_t iteration;    /* stamp of the latest iteration of several owners */
+    uint64_t *stamp;       /* [owners] stamp of the last such iteration that touched the owner */
     uint32_t *list;        /* [owners] */
     uint32_t listed;
     redcc_int done; /* iterations since the block was opened */

@@ -13,6 +13,8 @@
  *                 order of the loop, owner-checked if they also touch others'
  *     levels      each thread's schedule is its share of each stage
  *     any other   each iteration, or each that touches something, is in one schedule, once
+ *
+ * The last rule is checked by the number of iterations, their sum and sum of squares.
  */
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence);
 

@@ -12,7 +12,7 @@ struct plan;
 
 /** A copy of all groups. */
 struct copy {
-    char **memory;        /* [array_count] for each group; NULL: the group is not touched */
+    char **memory;        /* [array_count] for each group; NULL: nothing is copied */
     struct offsets *held; /* [array_count] the copied range of each group */
 };
 
@@ -32,8 +32,8 @@ bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays);
 void redcc_copies_end(struct copies *copies);
 
 /** Are private copies possible for the touched ranges of the partition's groups (touched
- *  [array_count])? Not for types without an element_rule, nor if elements of overlapping arrays are
- * not aligned with each other. */
+ * [array_count])? Not for types without an element_rule, nor if overlapping arrays differ in type
+ * or operator, or if rows or ranges are not whole elements. */
 bool redcc_copies_possible(const struct partition *partition, const struct range *touched);
 
 /** Bytes of a copy of all touched ranges. */
@@ -51,11 +51,12 @@ int redcc_copy_of(const struct plan *plan, int thread);
 /** The number of the copy of a share; -1: it is in place. */
 int redcc_copy_of_share(const struct plan *plan, uint32_t share);
 
-/** Sets this thread's share of its copy to the neutral element. */
+/** Sets the copies that this thread uses first to the neutral element, unless they are neutral; of
+ * a team's copy only the thread's share. */
 void redcc_copies_fill(const struct plan *plan, int thread);
 
 /** Merges this thread's share of the elements from all copies into the arrays at `bases`. With
- *  COPY_LATER it leaves neutral elements in them. */
+ * COPY_LATER it makes the copies neutral again. */
 void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases);
 
 #endif

@@ -20,8 +20,8 @@ enum {
 
 #define ALWAYS_INLINE static inline __attribute__((__always_inline__))
 
-/* Rules: NAME; stored type; neutral element; is `x` neutral? (then the element is not written,
- * since perhaps no iteration updated it); `b` combined with `x` */
+/* Rules: NAME; stored type; neutral element; does `x` change nothing? (then the element is not
+ * written, since perhaps no iteration updated it); `b` combined with `x` */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
     X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \

@@ -3,8 +3,8 @@
  * Operations of private copies for each operator and type: the neutral element, and the merge of a
  * copy into the array. Integers are combined as unsigned numbers, so that nothing overflows.
  *
- * An element of a copy that still has the neutral value is skipped, so that only updated elements
- * are written: an array of structures has other data between its rows.
+ * An element of a copy that would change nothing is skipped, so that only updated elements are
+ * written: an array of structures has other data between its rows.
  */
 #ifndef REDCC_ELEMENTS_H
 #define REDCC_ELEMENTS_H

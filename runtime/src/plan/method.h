@@ -4,7 +4,8 @@
  * methods/ has one file per method, methods/list.c the list; docs/methods.md describes them.
  *
  * A method determines what each thread executes (prepare) and whether threads write to copies. The
- * executor (execute/executor.c) does the rest for all methods: chunks, stages, barriers, merges.
+ * executor (execute/executor.c) does the rest for all methods with a plan: chunks, stages,
+ * barriers, merges.
  */
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
@@ -56,14 +57,14 @@ struct method {
                      * ownership/graph/divide.h); by address if that is impossible */
     bool in_levels; /* iterations are assigned to levels by such a log (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
-    bool in_bins;   /* it needs no plan, and an inspection only with REDCC_BINS_CHECKED: updates
-                     * are recorded, and applied bin by bin (bins/binning.h) */
-    bool selects;   /* its threads find their iterations during execution (execute/select.h): the
+    bool in_bins;   /* the method needs no plan, and an inspection only with REDCC_BINS_CHECKED:
+                     * updates are recorded, and applied bin by bin (bins/binning.h) */
+    bool selects;   /* threads find their iterations during execution (execute/select.h): the
                      * loop must have REDCC_SELECTS */
-    bool tiles;  /* its threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
-                  * have REDCC_TILES */
-    bool steals; /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
-                  * finish early execute. The function `owners` below is then ignored */
+    bool tiles;     /* threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
+                     * have REDCC_TILES */
+    bool steals;    /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
+                     * finish early execute. Such a method has no function `owners` */
 
     /** REQUIRED with `parameter`: parses the text after the colon; 0: invalid. */
     int (*parse)(const char *text);
@@ -74,7 +75,8 @@ struct method {
 
     /** OPTIONAL; the number of teams of threads, 1 to `threads`. Default: 1. */
     int (*teams)(int threads, int parameter);
-    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`. */
+    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`; with
+     * `steals` also their stealable blocks. */
     uint32_t (*owners)(int threads, int parameter);
     /** OPTIONAL; the number of flags by which its tasks synchronise. */
     uint32_t (*flags)(uint32_t owners);

@@ -13,7 +13,8 @@
  *
  * where gap is the number of iterations between the preceding run (or the chunk's origin) and this
  * one. A longer run is a word 0, then gap and count_and_check in two words each, the lower one
- * first. Gaps are modulo 2^32, because the next task of a chunk may begin at an earlier iteration.
+ * first. Gaps are modulo 2^32, because the next run of a chunk may begin at an earlier iteration
+ * (dwa_lip.c).
  */
 enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
 
@@ -99,7 +100,7 @@ static bool all_are_short(const uint16_t *word) {
     uint64_t counts;
     memcpy(&counts, word, sizeof counts);
     counts &= each * (COUNTS - 1);
-    /* a field gets its top bit only if its count is 0 */
+    /* top bits are set only if some count is 0 */
     return ((counts - each) & each << 15) == 0;
 }
 
@@ -125,7 +126,7 @@ static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     return at + __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
 }
 
-/* Reads all consecutive runs of a word each, four at a time; returns their number. */
+/* Reads whole groups of four runs of a word each, at most `room` runs; returns their number. */
 static size_t read_short(struct run_reader *reader, redcc_iterations *to, size_t room) {
     const uint16_t *word = reader->word;
     four at = {reader->at, reader->at, reader->at, reader->at};

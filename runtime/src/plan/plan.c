@@ -148,8 +148,8 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_free(plan);
 }
 
-/* The lowest stage >= `from` in which some thread of the team has chunks; UINT32_MAX: none. at
- * [threads]: index of each thread's first chunk that is not renumbered yet. */
+/* The lowest stage of the chunks that are not renumbered yet, in threads [first, end); UINT32_MAX:
+ * there are none. at [end - first]: the index of each thread's first such chunk. */
 static uint32_t next_stage(const struct plan *plan, int first, int end, const size_t *at) {
     uint32_t lowest = UINT32_MAX;
     for (int thread = first; thread < end; thread++) {
@@ -191,7 +191,7 @@ static void number_stages(struct plan *plan, int team) {
 }
 
 #ifndef NDEBUG
-/* Do all copies, flags and stages to which the schedule refers exist? */
+/* Are all copies, flags and waits of the schedule in range? */
 static bool names_what_is_there(const struct plan *plan, const struct schedule *schedule) {
     const uint32_t flags = plan->flags ? plan->method->flags(plan->owners) : 0;
     const uint32_t copies = plan->method->copies == COPY_SHARE   ? (uint32_t)plan->copies.count

@@ -91,9 +91,9 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
 void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
                            const struct range *touched);
 
-/** After an execution in which threads found their iterations: keeps the partition with the
- * plan's map for later executions, unless arrays overlap or the most loaded thread's share has
- * grown by more than a 16th. */
+/** After an execution in which threads found their iterations: keeps the partition with the plan's
+ * map for later ones. Drops it if arrays overlap, or if the most loaded thread's share has grown by
+ * more than a 16th. */
 void redcc_plan_keep_owners(struct plan *plan, struct partition *partition);
 
 /** Frees a plan; NULL does nothing. */

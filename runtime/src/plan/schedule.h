@@ -38,7 +38,7 @@ struct schedule {
     uint32_t wait_count;
     uint32_t wait_capacity;
     uint32_t waited;      /* number of entries of `wait` already assigned to chunks */
-    uint32_t copy;        /* the copy that later chunks write to */
+    uint32_t copy;        /* chunk.copy of later chunks */
     bool new_chunk;       /* the next iterations begin a new chunk */
     redcc_int iterations; /* executed, including owner-checked ones */
 };
@@ -62,14 +62,15 @@ bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, 
 /** Ends the task, which has at least one iteration: raises `flag`. */
 void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag);
 
-/** Makes later iterations write to copy number `copy`. */
+/** Makes later iterations write to the copy of share number `copy`. */
 void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy);
 
-/** Called when the schedule is complete: frees unused memory, and packs the runs if possible and if
- * that takes less memory. */
+/** Called when the schedule is complete: frees unused memory, and packs the runs
+ * (redcc_runs_pack). */
 void redcc_schedule_finish(struct schedule *schedule);
 
-/** Packs the runs if there are many, if possible, and if that takes less memory. */
+/** Packs the runs if there are at least 256, if memory is available, and if they shrink to half or
+ * less. */
 void redcc_runs_pack(struct schedule *schedule);
 
 /** The position of a reader in a chunk's runs. Zero: at the end. */

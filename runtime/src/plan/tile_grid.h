@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The division of a loop over pairs into tiles, which execute/tiles.h draws. */
+/** The division of a loop over pairs into tiles; execute/tiles.h shows it. */
 #ifndef REDCC_PLAN_TILE_GRID_H
 #define REDCC_PLAN_TILE_GRID_H
 
@@ -13,7 +13,7 @@ enum {
     TILE_FLAG_WORDS = 16 /* words per band's flag: a cache line */
 };
 
-/** For tests: rows of a band; 0: the best number. */
+/** For tests: rows of a band; 0: a computed number. */
 extern redcc_int redcc_tile_side;
 
 /** The division of a loop into tiles. */

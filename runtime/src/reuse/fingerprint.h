@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A 128-bit hash of a piece of memory, at memory speed. A plan is reused if the fingerprints of its
- * subscripts are unchanged. The hash is keyed with a secret of the process, so that nobody can
- * prepare colliding contents in advance.
+ * subscripts are unchanged. The hash is keyed with a secret of the process, so that colliding
+ * contents cannot be prepared in advance.
  */
 #ifndef REDCC_FINGERPRINT_H
 #define REDCC_FINGERPRINT_H

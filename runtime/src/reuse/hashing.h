@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Computes fingerprints of the subscripts; each thread hashes a share. This is done piece by piece
- * during the inspection, behind the thread's iterations: most loops read their subscripts in the
+ * during the inspection, behind the thread's iterations. Most loops read their subscripts in the
  * order of the iterations, so that these are still in the caches.
  */
 #ifndef REDCC_HASHING_H
@@ -25,8 +25,8 @@ struct hasher {
     struct partial_hash *partial;    /* [source_count] during the sweep */
 };
 
-/** Is a source so small that every thread hashes all of it rather than its share? That costs less
- *  than the barrier it avoids. */
+/** Is a source so small that it is hashed without shares? If every thread hashes all of it to
+ * verify a plan, that costs less than a barrier. */
 bool redcc_is_small(struct reading reading);
 
 /** The fingerprint of the thread's share of the range. */

@@ -209,7 +209,7 @@ static bool take_in(struct fingerprint *all, const char *data, size_t bytes, dou
     return true;
 }
 
-/* Does the call give the ranges of all subscripts? */
+/* Does the call give the ranges of all subscripts, or of sources that contain them? */
 static bool are_known(const redcc_loop *loop, const redcc_extent *known) {
     for (uint32_t s = 0; s < loop->source_count; s++)
         if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && !known[s].end &&
@@ -304,7 +304,7 @@ bool redcc_is_reusable(const struct request *request, const struct range *source
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
         const redcc_extent known = request->known[s];
         if (!known.end && !known.first && !redcc_range_empty(sources[s]))
-            return false; /* its range in a later call could not be determined */
+            return false; /* the source's range in a later call could not be determined */
     }
     return true;
 }

@@ -18,7 +18,7 @@ enum { REDCC_PLANS = 4 };
 
 /** The record of a source. */
 struct source_record {
-    bool known;            /* its range is known in each call */
+    bool known;            /* each call gives the source's range */
     bool anchored;         /* known[].first is an address to which `extent` is relative */
     struct offsets extent; /* if known: {0, its length} */
     struct fingerprint fingerprint;
@@ -34,7 +34,7 @@ struct kept_plan {
     struct source_record *source;       /* [source_count] */
     uint64_t sampled;                   /* the value of reuse->sampled at its construction */
     uint64_t last_use;
-    bool stale; /* its subscripts were found changed, and it was not used since */
+    bool stale; /* the subscripts were found changed, and the plan was not used since */
 };
 
 /** A loop's plans. */
@@ -75,15 +75,16 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
 /** Sets a bit for each strategy: in *fits if redcc_reuse_find would find a plan of it, in *changed
- * if only the sample rules its plan out. When the last plan is ruled out, sets
- * reuse->changed_source. */
+ * if only the sample rules its plan out. If no plan fits, and the sample now rules out the one used
+ * last, sets reuse->changed_source. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of the plan found unchanged? Every thread calls it with its hasher and gets
  *  the same answer. If not, sets reuse->changed_source. */
 bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher);
 
-/** Frees the plan found, because its subscripts have changed. */
+/** Frees the plan found, because its subscripts have changed or memory may have several
+ * addresses. */
 void redcc_reuse_drop_found(struct reuse *reuse);
 
 /** The number of sources of the plan found that were not read in this call. */

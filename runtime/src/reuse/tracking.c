@@ -44,8 +44,9 @@ static void end_tracking(struct tracking *tracking, struct range pages, struct b
     tracking->version = 0;
 }
 
-/* Begins tracking if the past comparisons, or the plan's savings, cover the cost. Returns the
- * version of the tracked pages; 0: not tracked. A failed attempt is charged as well. */
+/* Shares the tracking of another loop or, if the past comparisons or the plan's savings cover the
+ * cost, begins it. Returns the version of the tracked pages; 0: not tracked. A failed attempt is
+ * charged as well. */
 static uint64_t begin_tracking(struct tracking *tracking, struct range pages, struct back_off *rest,
                                double *earned) {
     if (redcc_range_bytes(pages) < LEAST)

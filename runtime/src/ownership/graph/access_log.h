@@ -40,27 +40,28 @@ static inline size_t redcc_iteration_length(const struct unit_list *list, size_t
 
 /** The data for logging the touches of one array. */
 struct logged_array {
-    struct group_units units; /* its group's units */
+    struct group_units units; /* the units of the array's group */
     struct unit_list *list;   /* the list to which they are appended */
     struct range *seen;       /* the group's range that this thread has touched */
 };
 
 struct access_log {
     struct logged_array *of; /* [array_count] */
-    uint32_t units;          /* their total number */
+    uint32_t units;          /* total number of units */
     struct unit_list leading;
     struct unit_list further; /* unallocated if there is only one group */
     redcc_int begin;          /* the first iteration of the thread's share */
     redcc_int iterations;     /* number of iterations recorded */
-    size_t most;              /* maximum number of items in either list */
-    bool too_much;            /* a list would have more than `most` items */
+    size_t most;              /* a list of this many items does not grow */
+    bool too_much;            /* a list would have had to grow beyond that */
     bool beyond;              /* there was a touch outside of all units: the lists are unusable */
     bool failed;              /* out of memory */
 };
 
-/** Begins a log at iteration `begin`, with space for about expected[0] touches of the leading
- * group and expected[1] of the further ones, and at most `most` of each; seen [array_count] belongs
- * to the caller and is widened. False: out of memory. Call redcc_access_log_end in either case. */
+/** Begins a log at iteration `begin`, with space for about expected[0] touches of the leading group
+ * and expected[1] of the further ones; lists of `most` items do not grow. seen [array_count]
+ * belongs to the caller and is widened. False: out of memory. Call redcc_access_log_end in either
+ * case. */
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most);

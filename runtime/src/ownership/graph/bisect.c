@@ -24,7 +24,7 @@ static uint32_t strength_of(const struct graph *graph, uint32_t edge) {
     return graph->strength ? graph->strength[edge] : 1;
 }
 
-/* The gain of a node in each part of [low, high): the strength of its edges into it. */
+/* The gain of a node in each part of [low, high): the strength of its edges into that part. */
 struct gains {
     uint64_t to[REDCC_PARTS_MOST];
     uint32_t count; /* number of parts with a gain */
@@ -44,7 +44,8 @@ static void count_gains(const struct graph *graph, uint32_t node, const unsigned
     }
 }
 
-/* The part with the highest gain for the node. */
+/* The part with the highest gain, of `here` and those with room for the node; with equal gains the
+ * lighter one. The gain in `here` counts as 0 if that part is too heavy. */
 static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
@@ -89,9 +90,9 @@ void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t coun
     }
 }
 
-/* Searches breadth first from node[0], then from the first node not reached, until all of node[0 ..
+/* Searches breadth first from `first`, then from the first node not reached, until all of node[0 ..
  * count) are in the order; visits only nodes of part `within`. Returns the last node reached from
- * node[0], which is the farthest. */
+ * `first`, which is the farthest. */
 static uint32_t search_from(struct division *division, uint32_t first, const uint32_t *node,
                             uint32_t count, uint32_t within) {
     const struct graph *graph = division->graph;
@@ -121,8 +122,8 @@ static uint32_t search_from(struct division *division, uint32_t first, const uin
     return farthest;
 }
 
-/* Orders nodes by a search from the graph's boundary: from the node that is farthest from the node
- * farthest from an arbitrary one. */
+/* Orders nodes by a search from a pseudo-peripheral node: the one farthest from the node farthest
+ * from an arbitrary one. */
 static void order_from_boundary(struct division *division, const uint32_t *node, uint32_t count,
                                 uint32_t within) {
     uint32_t outer = node[0];

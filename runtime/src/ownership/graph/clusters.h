@@ -6,15 +6,16 @@
  * log, without a graph of the units.
  *
  * In each round every node (a unit, later a cluster) chooses the node of lowest rank among itself
- * and all nodes that iterations connect it to; ranks come from a hash. The choices form trees: a
+ * and all nodes that iterations connect it to. Ranks come from a hash. The choices form trees: a
  * node that chooses itself is a root. Each tree becomes one node of the next round (Boruvka's
- * hooking). A round reduces a mesh's nodes by a factor of about seven. All threads process their
- * iterations concurrently; the result is independent of the number of threads.
+ * hooking), or several if it is too large or too deep. A round reduces a mesh's nodes by a factor
+ * of about seven. All threads process their iterations concurrently; the result is independent of
+ * the number of threads.
  *
  *     begin    one thread
  *     choose   each thread: its iterations
  *     agree    each thread: some nodes      repeatedly,
- *     join     one thread                   until join finds that there are few enough
+ *     join     one thread                   until join returns false
  *     map      each thread: its iterations
  *
  * All threads synchronise between any two of these steps. Directly before map, each thread calls
@@ -61,8 +62,8 @@ void redcc_clusters_choose(struct clusters *clusters, int thread);
 /** Combines choices and weights of nodes [first, end) over all threads. */
 void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end);
 
-/** Joins nodes to clusters of at most `most` units. False: there are few enough clusters already,
- * and nothing was done. */
+/** Joins nodes to clusters of at most `most` units. False: nothing was done, because the clusters
+ * are few enough, the last round left more than half of its nodes, or there were six rounds. */
 bool redcc_clusters_join(struct clusters *clusters);
 
 /** Stores the clusters of units [first, end). */

@@ -219,7 +219,6 @@ static void mark_boundary(struct divide *divide, int thread) {
     }
 }
 
-/* Lists the iterations that touch a boundary unit. */
 static bool list_boundary(struct divide *divide, int thread) {
     const struct unit_list *logged = &divide->logged[thread].leading;
     struct unit_list *list = &divide->boundary.list[thread];
@@ -322,7 +321,8 @@ static void vote_further(struct divide *divide, int thread) {
     }
 }
 
-/* Assigns units to the winners; units without a vote are distributed evenly. */
+/* Assigns further groups' units to the winning owners; those without a vote are distributed
+ * evenly. */
 static void count_votes(struct divide *divide, int thread) {
     const uint32_t leading = divide->units.leading, count = divide->units.count - leading;
     const struct share share = share_of(divide, count, thread);

@@ -35,7 +35,7 @@ struct divide {
     int threads;
     struct barrier *barrier;
     struct units units;
-    size_t most_logged;        /* maximum number of touches in a thread's log */
+    size_t most_logged;        /* a log's list of this many items does not grow */
     struct access_log *logged; /* [threads] */
     struct sweep *sweep;       /* [threads] the result: the access summaries */
     unsigned char *owner;      /* [units.count] the result: the owner of each unit */
@@ -47,14 +47,14 @@ struct divide {
     atomic_ushort *vote; /* [units.count - units.leading] */
     double deadline;     /* on the clock of redcc_seconds, checked at barriers; 0: none */
     atomic_bool failed;
-    bool clustered; /* there are few enough clusters */
+    bool clustered; /* redcc_clusters_join has returned false */
     bool going;     /* no thread has failed, and the deadline has not passed */
 };
 
 enum divide_result {
     DIVIDE_DONE,
-    DIVIDE_NO_MEMORY,  /* out of memory, or late */
-    DIVIDE_UNSUITABLE, /* too many units, touches or owners to pay off, or no units */
+    DIVIDE_NO_MEMORY,  /* out of memory, or after the deadline */
+    DIVIDE_UNSUITABLE, /* too many units, iterations, touches or owners, or no units */
     DIVIDE_BEYOND      /* there was a touch outside of the numbered units */
 };
 

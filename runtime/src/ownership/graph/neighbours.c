@@ -6,13 +6,12 @@
 #include <assert.h>
 #include <string.h>
 
-/* An iteration of up to CLIQUE units adds an edge for each pair of them; one with more units adds
- * edges only between consecutive units, so that the number of edges stays proportional to the
+/* An iteration of up to CLIQUE units adds an edge for each pair of them. One with more units adds a
+ * ring of edges between consecutive units, so that the number of edges stays proportional to the
  * touches. */
 enum { CLIQUE = 4 };
 
-/* A node with more edges than this is a hub, adjacent to almost all nodes; its edges are
- * ignored.
+/* A node with more edges than this, parallel ones included, is a hub: its list of edges is dropped.
  */
 enum { HUB = 4096 };
 

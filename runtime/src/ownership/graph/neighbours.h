@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A weighted graph: node n's neighbours are neighbour[start[n]] ... neighbour[start[n + 1] - 1].
- * Every edge is stored at both of its ends; there may be parallel edges.
+ * Nodes (those in `only`, if set) store all of their edges, parallel ones separately until
+ * redcc_graph_merge.
  *
  * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
  * that touches both ends (an iteration with more than a few units adds a ring of edges). Each
@@ -49,7 +50,8 @@ bool redcc_graph_take(struct graph *graph);
 void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, int lists,
                       uint32_t first, uint32_t end);
 
-/** Merges parallel edges, adding up their strengths; drops the edges of hubs. False: no memory. */
+/** Merges parallel edges, adding up their strengths; empties the lists of hubs. False: out of
+ * memory. */
 bool redcc_graph_merge(struct graph *graph);
 
 #endif

@@ -29,7 +29,7 @@ static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
 /* One thread's iterations, sorted by their pair. */
 struct pairs {
     uint32_t blocks;  /* total number */
-    uint32_t members; /* of the team: block b belongs to member b % members */
+    uint32_t members; /* threads of the team: block b belongs to member b % members */
     uint32_t member;
     struct schedule *pair; /* [(block / members) * blocks + deltaB] */
 };

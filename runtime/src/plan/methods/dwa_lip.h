@@ -5,9 +5,9 @@
 #include "plan/plan.h"
 
 /**
- * Fills the schedule of `thread` for DWA-LIP within its team: from the iterations that the team's
- * threads inspected, it takes those whose lowest block belongs to this thread, in the stages of
- * figure 10 of the paper. False: no memory.
+ * Fills the schedule of `thread` for DWA-LIP within its team. Of the iterations that the team's
+ * threads inspected, it gets those whose lowest block belongs to it, in the stages of figure 10 of
+ * the paper. False: no memory.
  */
 bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 

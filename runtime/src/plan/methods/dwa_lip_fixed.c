@@ -27,7 +27,6 @@ static uint32_t owners(int threads, int parameter) {
     return (uint32_t)parameter;
 }
 
-/* A flag for each pair. */
 static uint32_t flags(uint32_t blocks) {
     return blocks * blocks;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Array expansion with N copies for any number of threads: the iterations are divided into N equal
+ * Array expansion with N copies for any number of threads. The iterations are divided into N equal
  * shares, each with a copy of the whole array, and the copies are merged in order. The same bits at
  * every thread count; at most N threads are busy.
  */

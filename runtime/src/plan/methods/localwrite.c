@@ -37,8 +37,8 @@ static void count_parts(const struct summary *summary, const unsigned char *part
     }
 }
 
-/* If most of an owner's iterations are owner-checked, makes all owner-checked: this costs no more,
- * and gives longer runs. */
+/* If most of the owner's iterations in a summary are owner-checked, makes all of these
+ * owner-checked: the longer runs outweigh the checks. */
 static void check_most(const struct summary *summary, unsigned char *part) {
     redcc_int amount[CHECKED + 1] = {0};
     count_parts(summary, part, amount);

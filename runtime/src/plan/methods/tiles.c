@@ -11,8 +11,8 @@
 #include "plan/plan.h"
 #include "plan/tile_grid.h"
 
-/* The number of flag words, with each flag in a separate cache line: flags for the progress of each
- * thread's band, of the band before the first of these, and of the sums. */
+/* The number of flag words, a cache line for each flag: the progress of each thread's band, of the
+ * band before the first of these, and of the sums. The first line has no flag. */
 static uint32_t flags(uint32_t owners) {
     return TILE_FLAG_WORDS * (owners + 3);
 }

@@ -40,7 +40,7 @@ struct opened {
 };
 
 static struct opened faults;  /* the userfault descriptor, to protect pages */
-static struct opened pagemap; /* to scan them */
+static struct opened pagemap; /* to scan pages for writes */
 
 /* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking was never
  * started. */
@@ -65,7 +65,7 @@ static int request_of(const struct opened *opened, unsigned long request, const 
 }
 
 /* The lowest number for the descriptors opened here: the last two of the current descriptor table,
- * so that the program continues to get the low numbers. */
+ * or 512, so that the program continues to get the low numbers. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
@@ -113,7 +113,7 @@ static bool protect(struct range pages) {
     return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* A page counts as touched if it has no mark or is not present: if a whole page table was dropped,
+/* A page counts as touched if it has no mark or is not present. If a whole page table was dropped,
  * as by MADV_DONTNEED, kernels before July 2026 do not report the write. */
 static bool untouched(struct range pages) {
     struct watch_region found;
