@@ -6,16 +6,18 @@
  *   choice LOOP CALLS [CALLS...]     ascending
  *
  * prints, for each of CALLS, the seconds of that number of executions from the first one on
- * (without the time between executions) and a hash of the results' bits. LOOP: count             8
- * M integer keys into 65536 counts; two keys change before each call pairs             pairs of
- * points by distance, the bin found by bisection; new points each call weights           20,000
- * weights into 4096 bins; new subscripts each call charge            2 M particles' charge onto a
- * grid of 512 x 512; the particles move columns           y += A x by columns, random pattern of 1
- * M entries; a new one each call force-sorted      triangles of a mesh: forces and a matrix;
- * -shuffled: nodes at random springs-sorted    edges of that mesh; -shuffled force-short       the
- * first 4,000 triangles of force-sorted springs-short     the first 120,000 edges of springs-sorted
- *   columns-short     the first 8,000 columns of columns
- *   gaxpy-sorted      columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
+ * (without the time between executions) and a hash of the results' bits. LOOP:
+ *  - count: 8 M integer keys into 65536 counts; two keys change before each call
+ *  - pairs: pairs of points by distance, the bin found by bisection; new points each call
+ *  - weights: 20,000 weights into 4096 bins; new subscripts each call
+ *  - charge: 2 M particles' charge onto a grid of 512 x 512; the particles move
+ *  - columns: y += A x by columns, random pattern of 1 M entries; a new one each call
+ *  - force-sorted: triangles of a mesh: forces and a matrix; -shuffled: nodes at random
+ *  - springs-sorted: edges of that mesh; -shuffled
+ *  - force-short: the first 4,000 triangles of force-sorted
+ *  - springs-short: the first 120,000 edges of springs-sorted
+ *  - columns-short: the first 8,000 columns of columns
+ *  - gaxpy-sorted: columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
  */
 #include <math.h>
 #include <stdint.h>

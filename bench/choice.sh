@@ -1,12 +1,12 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Cost and gain of redcc from the first execution on: the total time of N executions of typical loops (bench/choice.c),
-# most of which are not worth running in parallel. Each runs by `auto`, by each named method, and sequentially. Rounds are
-# interleaved; the sequential program runs first in every second one, last in the others. Each ratio is of one round; the
-# table has their medians, minima and maxima. Results are compared bit for bit. The loops named -short, of 0.1 to 0.3 ms,
-# are parts of others; they need CALLS="400 4000 20000". force and springs are the heavy and the light loop of
-# `script/bench methods`, by rows only. NEIGHBOURS: number of compute-bound processes running throughout, also with the
-# sequential program.
+# Cost and gain of redcc from the first execution on: the total time of N executions of typical loops
+# (bench/choice.c), most of which are not worth running in parallel. Each is run by `auto`, by each named method, and
+# sequentially. Rounds are interleaved; the sequential program is first in every other round, last in the rest. Each
+# ratio is of one round; the table has their medians, minima and maxima. Results are compared bit for bit. The loops
+# named -short, of 0.1 to 0.3 ms, are parts of others; they need CALLS="400 4000 20000". force and springs resemble
+# the heavy and the light loop of `script/bench methods`; the matrix of force has one block per node. NEIGHBOURS:
+# number of compute-bound processes running throughout, also with the sequential program.
 #   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..."
 #   NEIGHBOURS=0
 . bench/common.sh

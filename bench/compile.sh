@@ -7,7 +7,7 @@
 compiler=${CC:-gcc}
 csv=$results/compile.csv
 load_note
-seconds() { # COMMAND...: of the processor
+seconds() { # COMMAND...: its processor seconds
   local TIMEFORMAT='%U %S'
   { time "$@" 2>/dev/null; } 2>&1 | awk '{print $1 + $2}'
 }

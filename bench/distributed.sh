@@ -7,8 +7,8 @@
 #   MORE=1 adds the rounds to those in the file
 # Seconds are wall time of the steps. On a machine with other work they say little about several ranks, which wait for
 # each other. The table has the median, minimum and maximum of the rounds. distributed.csv has one line per run: solver,
-# ranks (0: fabric-serial, without MPI), round, seconds, iterations, the largest distance of a vertex from fabric-serial's
-# in metres. Runs with --bits=serial must have the bits of fabric-serial.
+# ranks (0: fabric-serial, without MPI), round, seconds, iterations, the largest distance of a vertex from
+# fabric-serial's, in metres. Runs with --bits=serial must have the bits of fabric-serial.
 . bench/common.sh
 if ! command -v mpirun.openmpi >"$work/found" || ! pkg-config --exists PETSc; then
   echo "distributed: not measured: it needs Open MPI and PETSc, which script/distributed installs"

@@ -11,8 +11,8 @@ steps=${STEPS:-4}
 csv=$results/effects.csv
 echo "added,blocks,iterations,forces,collisions,solve,update,product" >"$csv"
 
-# With block-Jacobi, an iteration of which is one product with the matrix. A sheet of 900
-# particles whose corner is above the ball from the start; nothing acts on it.
+# The first run: block-Jacobi, because each of its iterations is one product with the matrix, and a sheet of 900
+# particles on which nothing acts, with a corner above the ball.
 none=(--set colliders='[]' --set self_collision.gap=0 --set mesh.origin='[0.2, 0, 0.715]'
   --set surroundings.gravity='[0, 0, 0]' --set surroundings.drag=0
   --set material.stretch=0 --set material.shear=0 --set material.bend=0

@@ -30,7 +30,7 @@ use_openblas
 
 mesh=(--set mesh.boundary="${BOUNDARY:-220}" --set mesh.vertices="${VERTICES:-2602}")
 failed=0
-study() { # study FOLDER OPTION...: a table whose reference is not good enough is told, and kept
+study() { # study FOLDER OPTION...: a table whose reference is not good enough is reported, and kept
   "$serial" accuracy "${@:2}" -o "$work/$1" --most-steps "$most" --repeat "$repeat" 2>"$work/log" >/dev/null ||
     { echo "$1: failed"; grep '^accuracy:' "$work/log" || tail -n 3 "$work/log"; failed=1; }
 }

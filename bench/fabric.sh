@@ -38,7 +38,7 @@ line() {
 
 # The upper bound: the sequential program on every core at once, each with a separate mesh. Its slowdown is due to memory
 # and to other users of the machine; no parallel program can avoid it.
-run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest of them
+run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest program's seconds over their number
   local experiment=$1 round=$2 core slowest
   shift 2
   for core in $(seq "$threads"); do

@@ -23,8 +23,7 @@ packages=${PACKAGES_FOLDER:-$PWD/build/packages}
 csparse=$packages/sources/suitesparse/CSparse
 load_note
 
-# build_gaxpy NAME COMPILER: the benchmark; cs_gaxpy.c is compiled by that compiler, all else by
-# gcc
+# build_gaxpy NAME COMPILER: the benchmark; cs_gaxpy.c is compiled by that compiler, all else by gcc
 flags=(-O2 -I"$csparse/Include")
 build_gaxpy() {
   "$2" "${flags[@]}" -c "$csparse/Source/cs_gaxpy.c" -o "$work/gaxpy-$1.o"

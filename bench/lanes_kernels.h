@@ -11,7 +11,7 @@ struct element {
     double area;
 };
 
-/** The same for a matrix of which all blocks are stored: the block of each pair of corners. */
+/** The same with all blocks of the matrix stored: the block of each pair of corners. */
 struct cloth_element {
     int vertex[3];
     int entry[3][3];

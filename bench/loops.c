@@ -20,10 +20,10 @@
  * time of an inspection in executions of the sequential loop; extra_percent is memory relative to
  * the reduction arrays; modelled is the number of iterations divided by the makespan of the
  * schedule, including waits (length.h). With `others`, also prints lines for OpenMP's atomics, its
- * reduction of array sections (whose stacks are as large as the arrays: ulimit -s, OMP_STACKSIZE),
- * array expansion written by hand, and `unmerged`, an upper bound on this machine: each thread adds
- * an equal share of the iterations to a separate array. WARM 0: one execution only, for the model
- * at many threads.
+ * reduction of array sections (which needs stacks as large as the arrays: ulimit -s,
+ * OMP_STACKSIZE), array expansion written by hand, and `unmerged`, an upper bound on this machine:
+ * each thread adds an equal share of the iterations to a separate array. WARM 0: one execution
+ * only, for the model at many threads.
  */
 #include "loop.h"
 
@@ -308,7 +308,6 @@ enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, BENCH
         }                                                                                          \
     }
 
-/* `key` stands for a pointer on which the subscripts depend: changing it forces an inspection. */
 static void sequentially_heavy(void) {
     double(*const to_b)[3] = b;
     double(*const to_a)[9] = a;
@@ -317,6 +316,7 @@ static void sequentially_heavy(void) {
     }
 }
 
+/* `key` represents a pointer on which the subscripts depend: changing it forces an inspection. */
 static int run_heavy(redcc_word key, enum bench_variant variant) {
     switch (variant) {
     case SERIAL:

@@ -1,10 +1,10 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Loops whose iterations update common elements (bench/meet/*.c): unchanged by redcc-cc with two threads and with one, and
-# parallelised by hand with two, against the serial build. Measures the total time of N calls from the first one on. The
-# programs of a round run one after the other, in the reverse order in every other round; each ratio is of one round, and
-# the table has their medians, lowest and highest. of_hand: the time by hand over redcc's. Results are compared bit for
-# bit.
+# Loops whose iterations update common elements (bench/meet/*.c): compiled unchanged by redcc-cc, with two threads and
+# with one, and parallelised by hand with two, against the serial build. Measures the total time of N calls from the
+# first one on. The programs of a round run one after the other, in the reverse order in every other round; each ratio
+# is of one round, and the table has their medians, lowest and highest. of_hand: the time by hand over redcc's.
+# Results are compared bit for bit.
 #   ROUNDS=5 CALLS="1 3 10 20" KINDS="pairs pairs-1000 ..." THREADS=2
 . bench/common.sh
 rounds=${ROUNDS:-5}

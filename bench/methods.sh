@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c), against the
 # sequential loop of the same run, and with hand-written alternatives. Then `auto` with order any. WARM: seconds of
-# executions before `auto` is timed. It needs some seconds until its credit covers cutting the access graph of the heavy
-# loop.
+# executions before `auto` is timed; `auto` needs some seconds until its credit covers cutting the heavy loop's access
+# graph.
 . bench/common.sh
 threads=$(nproc)
 warm=${WARM:-15}

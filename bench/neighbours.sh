@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The effect of busy neighbours on a loop that gains by running in parallel (bench/neighbours.c), for each way in which
-# OpenMP's threads wait between regions. No, one and two compute-bound processes run at the same time. Each ratio is of a
-# sequential run and the parallel run directly after it, with the same neighbours; rounds are interleaved. The last column
-# is how often per second a thread lost its core.
+# The effect of busy neighbours on a loop that gains by running in parallel (bench/neighbours.c), for several
+# settings of how OpenMP's threads wait between regions. Zero, one and two compute-bound processes run at the same time.
+# Each ratio is of a sequential run and the parallel run directly after it, with the same neighbours; rounds are
+# interleaved. The last column is how often per second a thread lost its core.
 #   ROUNDS=9 NEIGHBOURS="0 1 2" METHODS="auto localwrite-steal" WAITS="default passive ..."
 . bench/common.sh
 rounds=${ROUNDS:-9}

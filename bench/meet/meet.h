@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop, as found in programs, whose iterations update the same elements. Compiled with BY_HAND,
- * its file contains the loop as a programmer would parallelise it with OpenMP, in the same order of
+ * A file with a loop, as found in programs, whose iterations update the same elements. With BY_HAND
+ * the file contains the loop as a programmer would parallelise it with OpenMP, in the same order of
  * updates.
  */
 #ifndef MEET_H

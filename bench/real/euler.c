@@ -189,7 +189,7 @@ static void residual(const double far_state[4]) {
     }
 }
 
-/* One step of four stages; speed becomes the time step over the volume. */
+/* One step of four stages with local time steps: CFL / speed is the step divided by the volume. */
 static void runge_kutta(const double far_state[4]) {
     static const double stage[4] = {0.25, 1.0 / 3, 0.5, 1.0};
     memcpy(q0, q, sizeof *q * (size_t)nnode);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# shellcheck shell=bash disable=SC2034 The real programs of `script/bench real`: their sources and arguments. Sourced from
-# the repository's root by the benchmark and by tests/real.
-#
+# shellcheck shell=bash disable=SC2034
+# The real programs of `script/bench real`: their sources and arguments. Sourced from the repository's root by the
+# benchmark and by tests/real.
 # Requires PACKAGES_FOLDER, the folder for Debian's sources (tests/packages/library.sh).
 real_programs=(molecules bricks jelly euler fairing transport plate)
 

@@ -22,7 +22,7 @@
 #define SKIN 0.3
 #define DT 0.004
 #define REBUILD 20         /* steps between two neighbour lists */
-#define MOST_NEIGHBOURS 60 /* of an atom, half of them listed */
+#define MOST_NEIGHBOURS 60 /* listed for an atom, on average, at most */
 
 static int natoms;
 static double box;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The sources of the cloth's physics; simulation.h is their interface.
+# The sources of the cloth's physics; step/simulation.h is their interface.
 set(FABRIC_PHYSICS_SOURCES)
 foreach(source
     step/simulation.c step/team.c step/simulation_state.c step/simulation_archive.c step/integrator.c step/newton.c step/forces.c contact/motion.c contact/collision.c contact/pin.c contact/shape.c system/constraint.c solver/solver.c solver/solver_precondition.c

@@ -173,7 +173,8 @@ static const trial *coarsest(const adviser *a, series *r, double limit, int *sta
     }
 }
 
-/* Stores the fastest of the runs that are exact enough in *best. */
+/* Stores the fastest of the integrators' coarsest runs that are exact enough in *best. 0; 1: none
+ * is; -1 after a message. */
 static int choose_run(adviser *a, trial *best) {
     double least = INFINITY;
     for (int k = METHODS - 1; k >= 0; k--) {
@@ -207,8 +208,8 @@ static int try_settings(const adviser *a, const scene *settings, bool always, tr
     return 0;
 }
 
-/* Chooses the solver that takes the least time in the first steps, if that is clearly less than the
- * default's time. */
+/* Chooses the fastest solver in the first steps; a later one must take less than 0.8 of the time of
+ * those before. */
 static int choose_solver(const adviser *a, trial *best) {
     static const int solvers[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
                                      {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},

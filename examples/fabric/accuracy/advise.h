@@ -24,8 +24,8 @@ typedef struct advice {
 
 /**
  * Advises settings for an rms error (m) at the scene's end, with no more than `most_steps` steps.
- * 0; 1: refused, with the reason in reason[256]: no two integrators agree within the error, or a
- * tiny change of the start changes the end by more. -1 after a message.
+ * 0; 1: refused, with the reason in reason[256]: two integrators do not agree, no run is exact
+ * enough, or a tiny change of the start changes the end too much. -1 after a message.
  */
 int advise(const scene *s, const mesh *cloth, double error, int most_steps, advice *result,
            char *reason);

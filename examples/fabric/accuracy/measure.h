@@ -43,7 +43,7 @@ double distance_of(int count, const double (*x)[3], const double (*y)[3], double
  *  positions; all other arrays are `from`'s. 0, or -1 after a message. */
 int move_start(const mesh *from, double most, random_source *source, mesh *to);
 
-/** Kinetic, elastic and potential energy, J, as the monitor computes it. */
+/** The monitor's kinetic and elastic energy plus gravitational potential, J. */
 double total_energy(const simulation *sim);
 
 /** The scene with its duration divided into this number of steps. */

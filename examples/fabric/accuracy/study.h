@@ -11,7 +11,7 @@
  *   error_rms, error_max                  m, against the reference at the end of the scene
  *   error_own                             m rms, against the same method with exact algebra, in
  *                                         experiments that run it
- *   front                                 1: no other row is both faster and more exact
+ *   front                                 1: on the Pareto front of time and error
  *   side, stiffness                       of the cloth, m; scene_stiffness
  *   contact, wind                         1 if the scene has colliders; if it has wind
  *   error_strain, error_energy            of the largest strain; of the energy, J; against the
@@ -30,7 +30,7 @@ typedef struct study_row {
     char variant[48];
     int vertices;
     double step, tolerance;
-    measured got; /* x is freed once errors are known */
+    measured got; /* study_write frees its x */
     double error_rms, error_max, error_own, error_strain, error_energy;
     int front;
 } study_row;
@@ -58,9 +58,9 @@ double scene_stiffness(const scene *s);
  *  -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
               const mesh *cloth, double tolerance);
-/** Finds of->reference: the implicit midpoint and BDF2 with increasing numbers of steps, until
- *  their difference is a tenth of the midpoint's error in the study's finest run. 0, or -1 after
- *  a message. */
+/** Finds of->reference by the implicit midpoint. Doubles the steps a few times, until BDF2 differs
+ * from it by at most a tenth of the midpoint's error in the study's finest run. 0, or -1 after a
+ * message. */
 int study_reference(study *of);
 /** Fills errors of all rows against the reference, and the front. */
 void study_compare(study *of);

@@ -39,7 +39,7 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     return 0;
 }
 
-/* Writes whether a run of at least 3 steps and 0.1 s survives with this step and stiffness. */
+/* Writes whether a run of at least 3 steps and about 0.1 s survives this step and stiffness. */
 static int write_survival(study *of, integrator_kind kind, double step, double stretch,
                           FILE *file) {
     static const char *const outcomes[] = {"finished", "halved", "gave up"};

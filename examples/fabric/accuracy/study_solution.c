@@ -11,8 +11,8 @@
 /* The variant that runs the scene unchanged, with its own integrator, step and tolerances. */
 static const char *const scene_default = "default";
 
-/* Runs a method with its best settings: the loosest tolerance that alone causes a tenth of the
- * error of time stepping, or the tightest tolerance. 0, or -1 after a message. */
+/* Runs a method with its best settings: the loosest tolerance that alone causes at most a tenth of
+ * the error of time stepping, or the tightest tolerance. 0, or -1 after a message. */
 static int run_fairly(study *of, int kind, int steps) {
     static const double tolerances[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6};
     enum { COUNT = sizeof tolerances / sizeof *tolerances };

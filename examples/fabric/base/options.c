@@ -74,7 +74,7 @@ static int take_value(options *o, const option *known, const char *equals) {
     return -1;
 }
 
-/** Reads the next word: the option's index, or one of the above. */
+/** Reads the next word: the option's index, or END, WORD, ... */
 static int read_next(options *o) {
     if (o->next >= o->argc)
         return END;

@@ -37,8 +37,7 @@ static void print_events(const scene *s) {
  * measured), and by the first direct solution in CHOLMOD and BLAS. */
 static const double text_of_steps = 0.9 * 1024 * 1024, text_of_direct = 0.8 * 1024 * 1024;
 
-/* Memory of the process before the cloth is made, and of a run: all allocations up to the first
- * step, which later steps use. */
+/* Memory of the process before the cloth is made. */
 typedef struct memory_account {
     double at_start, allocated_at_start; /* bytes */
 } memory_account;

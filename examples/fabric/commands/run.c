@@ -111,7 +111,8 @@ int read_scene(scene *s, const char *name, const setting_list *settings) {
     return make_settings(s, settings);
 }
 
-/** The scene and the start of the run: its beginning, or a checkpoint. */
+/** Sets the scene and the start of the run: its beginning, or a checkpoint. 0, or -1 after a
+ * message. */
 static int begin(cloth_run *run, const run_request *r) {
     if (r->resume)
         return run_resume(run, r);

@@ -18,7 +18,7 @@ typedef struct run_request {
     const char *resume;     /* NULL: a new run */
     long steps;             /* NOT_GIVEN: the scene's */
     long stop_after;        /* NOT_GIVEN: the last step */
-    long threads;           /* 0: as OpenMP chooses */
+    long threads;           /* 0: the fastest number */
     long frames;            /* NOT_GIVEN: FRAMES, or the resumed run's */
     long every;             /* steps between checkpoints; NOT_GIVEN: 0, or the resumed run's */
     int progress;           /* progress_style */

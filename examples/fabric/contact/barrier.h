@@ -9,13 +9,14 @@
  * its reach has the energy, for the distance d and s = d / reach,
  *     B(d) = -stiffness (s - 1)^2 ln s        0 < s < 1, else 0     J
  * which is twice differentiable and grows without bound as d goes to 0 (Li et al. 2020,
- * equation 6). For edges it is multiplied by e(c) = (2 - c / eps) c / eps, c = |e1 x e2|^2 < eps,
- * eps = 1e-3 |E1|^2 |E2|^2, because the nearest points of parallel edges are not unique
- * (equation 24 of the same paper). A plane has no edges: each vertex forms a pair with it.
+ * equation 6). For edges e1, e2, initially E1, E2, it is multiplied by
+ *     e(c) = (2 - c / eps) c / eps        c = |e1 x e2|^2 < eps = 1e-3 |E1|^2 |E2|^2
+ * because the nearest points of parallel edges are not unique (equation 24 of the same paper). A
+ * plane has no edges: each vertex forms a pair with it.
  *
- * No pair ever passes through itself: every displacement is cut to the fraction that conservative
- * continuous collision detection allows (barrier_part.c), and a start with crossings is refused
- * (barrier_start.c).
+ * No pair's features ever pass each other: every displacement is cut to the fraction that
+ * conservative continuous collision detection allows (barrier_part.c), and a start with crossings
+ * is refused (barrier_start.c).
  */
 #ifndef FABRIC_BARRIER_H
 #define FABRIC_BARRIER_H
@@ -68,7 +69,7 @@ typedef struct barrier_list {
 typedef struct barrier {
     const scene *scene;
     const mesh *cloth;
-    mesh surface;          /* all triangles; its positions: the cloth's initial ones */
+    mesh surface;          /* all triangles; positions: initial, a body's in its own axes */
     double (*rest)[3];     /* [cloth's vertices] m, rest positions */
     int *component;        /* [cloth's vertices] connected component of the cloth */
     int *collider;         /* [surface's vertices] its collider; -1: of the cloth */

@@ -83,7 +83,7 @@ static int number_of(const barrier *b, int vertex) {
     return (b->cloth->number ? b->cloth->number[vertex] : vertex) + 1;
 }
 
-/* "edge 3 4", "triangle 5 6 7" of the cloth, or "of collider 2". */
+/* "edge 3 4" or "triangle 5 6 7" of the cloth, or "edge of colliders.2". */
 static void name_feature(const barrier *b, int count, const int *vertex, char *text, size_t size) {
     static const char *const names[] = {"vertex", "edge", "triangle"};
     if (b->collider[vertex[0]] >= 0) {
@@ -97,7 +97,7 @@ static void name_feature(const barrier *b, int count, const int *vertex, char *t
         used += snprintf(text + used, size - (size_t)used, " %d", number_of(b, vertex[k]));
 }
 
-/* Appends the option that may help. -1. */
+/* Appends the option that may help; returns -1. */
 static int refuse(const barrier *b, char *error) {
     const size_t used = strlen(error);
     snprintf(error + used, 200 - used, "%s",

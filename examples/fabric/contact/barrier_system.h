@@ -17,7 +17,7 @@ typedef struct barrier_system {
     double (*push)[3]; /* [surface's vertices] N, sum of the elements' gradients */
 } barrier_system;
 
-/** A: the cloth's matrix without contact, of which only the sparsity pattern is used. 0, or -1:
+/** A: the cloth's matrix without contact; only its sparsity pattern is used. 0, or -1:
  *  out of memory. */
 int barrier_system_init(barrier_system *s, const block_matrix *A, int surface_vertices);
 void barrier_system_free(barrier_system *s);

@@ -138,7 +138,7 @@ double collisions_keep_out(collisions *c, double time, double h, const double (*
                            double (*v)[3], double *work);
 
 /** Finds the colliders that may touch the cloth in the step, with velocities v + dv (dv NULL: v;
- *  v NULL: at rest). The functions below test only these. */
+ *  v NULL: at rest). Later calls of the other functions test only these. */
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 

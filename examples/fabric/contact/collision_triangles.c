@@ -164,7 +164,7 @@ void collisions_check_triangles(collisions *c, const movable *of, double time, d
         double p[3][3], u[3][3];
         approach found;
         gather(c, number, corner, time, h, x, v, p, u);
-        /* Halfway between the allowed depth and the middle it has not passed through yet. */
+        /* A collider halfway between the allowed depth and its middle has not passed yet. */
         if (meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
             c->met.left += found.beyond > (1 - TRIANGLE_DEPTH_PART) / 2 * shape_inner_radius(k) &&
                            impulse_is_possible(of, &point, v, found.normal);

@@ -93,7 +93,7 @@ static double apply(const movable *of, const feature *f, const double impulse[3]
     return work;
 }
 
-/* At most friction times the normal impulse, and no more than stops the sliding. */
+/* The friction impulse: at most `most`, and no more than stops the sliding. */
 static void find_friction(const movable *of, const feature *f, const double normal[3], double most,
                           const double *base, const double (*v)[3], double impulse[3]) {
     double slip[3];

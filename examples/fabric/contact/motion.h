@@ -16,7 +16,7 @@
 
 #include "scene/scene.h"
 
-/** A position and a rotation: the point p of the body is at origin + turn p in space. */
+/** A position and a rotation: the point p of the body is at origin + rotation p in space. */
 typedef struct body_pose {
     double origin[3]; /* m */
     double rotation[3][3];

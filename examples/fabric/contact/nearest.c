@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each function takes the nearest of all candidates: the inner point, if it exists, and the
- * points on the borders. So no case depends on a sign that rounding may change. */
+/* Each function returns the inner point, if there is one (nearly parallel edges: if it is nearest),
+ * else the nearest of the points on the borders. At the border both agree, so that rounding decides
+ * nothing. */
 #include "nearest.h"
 
 #include <string.h>

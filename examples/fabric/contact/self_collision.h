@@ -21,7 +21,7 @@ typedef struct self_pair {
     int vertex[4];
     int is_edges;
     int is_far;       /* scratch of barrier_pairs.c: the candidate is to be removed */
-    int near_at_rest; /* nearer than the gap in the flat cloth: only kept from passing */
+    int near_at_rest; /* corners within two gaps in the rest shape: only kept from passing */
 } self_pair;
 
 /** A search has this number of parts, whatever the number of threads; the parts' results are
@@ -74,7 +74,7 @@ typedef struct self_demand {
 } self_demand;
 
 /** Finds pairs that can be skipped: a pair that needed no impulse needs none while its vertices
- * keep their velocities. Time stamps count the impulses since the search. */
+ * keep their velocities. Time stamps count rounds and impulses since the search. */
 typedef struct self_history {
     int now, round_start; /* the current time; the time at which the current round began */
     int *vertex;          /* [vertices] time of the last change of its velocity */
@@ -93,7 +93,7 @@ typedef struct self_collision {
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
     self_history history;
-    int left; /* pairs that still pass through each other in the current step */
+    int left; /* pairs that still pass in the current step */
     long visits;
     arrays own; /* the arrays above whose size is [triangles] or [vertices] */
 } self_collision;
@@ -116,7 +116,7 @@ double self_collision_push(self_collision *s, const movable *of, double h, const
  *  passing pairs in s->left. 0, or -1 as above. */
 int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** Does the pair pass through itself in the step? */
+/** Do the pair's features pass through each other in the step? */
 int self_collision_passes(const self_collision *s, const self_pair *pair, double h,
                           const double (*x)[3], const double (*v)[3]);
 

@@ -200,7 +200,7 @@ static double rest_square(const mesh *m, int i, int j) {
     return u * u + v * v;
 }
 
-/* Is a corner of the first feature within two gaps of a corner of the second in the flat cloth? */
+/* Is a corner of the first feature within two gaps of a corner of the second in the rest shape? */
 static int near_at_rest(const self_collision *s, const int vertex[4], int firsts) {
     for (int p = 0; p < firsts; p++)
         for (int q = firsts; q < 4; q++) {

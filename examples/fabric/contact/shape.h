@@ -14,7 +14,7 @@ typedef struct approach {
     double normal[3];  /* unit, out of the collider */
     double room;       /* m, how far the point may still move against the normal; < 0: it must be
                         * pushed out */
-    double beyond;     /* m, how far the path's end is beyond that; < 0: it ends before */
+    double beyond;     /* m, how far the path's end is beyond `room`; < 0: it ends before */
     double carried[3]; /* m/s, velocity of the collider's material there; filled in by motion.h */
 } approach;
 

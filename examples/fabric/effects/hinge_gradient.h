@@ -8,8 +8,10 @@
 /**
  * The gradient of theta with respect to the four corners. With e = x1 - x0, normals
  * n1 = e x (x2 - x0) and n2 = (x3 - x0) x e, and t2, t3 the wings' projections onto e (0 at x0, 1
- * at x1): g2 = -|e| n1 / |n1|^2,   g3 = -|e| n2 / |n2|^2, g0 = -(1 - t2) g2 - (1 - t3) g3,   g1 =
- * -t2 g2 - t3 g3 (Bridson, Marino and Fedkiw 2003; the sum is 0: no net force).
+ * at x1):
+ *     g2 = -|e| n1 / |n1|^2                  g3 = -|e| n2 / |n2|^2
+ *     g0 = -(1 - t2) g2 - (1 - t3) g3        g1 = -t2 g2 - t3 g3
+ * (Bridson, Marino and Fedkiw 2003; the sum is 0: no net force).
  */
 static inline void hinge_gradient(const double x0[3], const double x1[3], const double x2[3],
                                   const double x3[3], double g[4][3]) {

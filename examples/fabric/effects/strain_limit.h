@@ -41,7 +41,7 @@ void strain_limit_forces(const strain_limit *l, const triangle_elements *e, doub
                          const double (*restrict x)[3], const double (*restrict v)[3],
                          linear_system *s);
 
-/** J */
+/** The energy at positions x, J. */
 double strain_limit_energy(const strain_limit *l, const triangle_elements *e, const double (*x)[3]);
 
 #endif

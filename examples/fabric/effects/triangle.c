@@ -12,8 +12,8 @@ enum {
                     (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)
 };
 
-/* Adds f and df of triangle t: the same statements in every loop. A macro, because redcc
- * parallelises only loops that contain their updates themselves. */
+/* Adds f and df of triangle t: the same statements in every loop. Macros: redcc could not
+ * parallelise a called function that makes all these updates. */
 #define ADD_FORCE                                                                                  \
     for (p = 0; p < 3; p++)                                                                        \
         for (c = 0; c < 3; c++)                                                                    \

@@ -80,8 +80,8 @@ static void fill_grid(cell_grid *grid, double (*points)[2], int count) {
     }
 }
 
-/** Adds to `push` the repulsion of `point` by the points in one row of neighbouring cells: 1 - d /
- *  reach at a distance d below `reach`. */
+/** Adds to `push` the repulsion of `point` by the points in one row of neighbouring cells: `reach`
+ * - d at a distance d below `reach`. */
 static void repel(const cell_grid *grid, double (*points)[2], int point, int row, double reach,
                   double push[2]) {
     const int column = cell_of(grid, points[point][0]);

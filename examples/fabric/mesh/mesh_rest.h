@@ -44,9 +44,9 @@ typedef struct mesh_problem {
  *  that does not exist. */
 int mesh_check_numbers(const mesh *m, char *error);
 
-/** Removes the triangles that mesh_clean removes, before mesh_connect. Fills those two entries of
- *  found [MESH_PROBLEM_COUNT]. 0, or -1 with a message in error[256]: a number is not finite, a
- *  vertex does not exist, or no triangle is left. */
+/** Removes duplicate triangles and those with a vertex twice; to be called before mesh_connect.
+ * Fills these two entries of found [MESH_PROBLEM_COUNT]. 0, or -1 with a message in error[256]: a
+ * number is not finite, a vertex does not exist, or no triangle is left. */
 int mesh_clean(mesh *m, mesh_problem *found, char *error);
 
 /** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. 0, or -1: out of

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A file with a cloth's state: final.state with all bits, frames with what a picture needs.
+ * A file with a cloth's state: final.state with all bits, frames with the data for pictures.
  *
  * It is a sealed file (sealed_file.h) of kind "FABRICST", version 1; its parts are the bits of
  * state_part.

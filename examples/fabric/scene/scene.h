@@ -59,11 +59,11 @@ typedef struct pin {
 
 /** Limits of a step; a step that exceeds one is repeated with half the length (see monitor.h). */
 typedef struct monitor_limits {
-    double energy;      /* gain in a step, as a fraction of the current and the added energy */
+    double energy;      /* gain in a step, as a fraction of the initial and the added energy */
     double growth;      /* limit for the growth of a triangle's strain in a step, */
     double strain;      /* for triangles whose strain ends above this */
     double penetration; /* m, of a vertex into a collider */
-    int off;            /* ignores these limits; detects only non-finite and unsolved steps */
+    int off;            /* no limits; rejects steps only if not finite, not solved or passing */
 } monitor_limits;
 
 /** The source of the cloth's mesh. */
@@ -196,7 +196,7 @@ char *scene_text(const scene *s, size_t *size);
  * of the file's name. */
 int scene_read_text(scene *s, char *text, size_t size, const char *name);
 
-/** Whether two scenes differ in anything but the count of steps and the names of colliders' files;
+/** Whether two scenes differ in anything but the count of steps and the names of files;
  *  then the first difference is in text[256]: "'material.bend' is 0.01, there 0". */
 int scene_differ(const scene *a, const scene *b, char *text);
 

@@ -9,7 +9,7 @@
 
 enum { PATH_SIZE = 128 };
 
-/** A document that is read. Messages begin with "source:line: ", or without lines with "source: ".
+/** A document that is read. Messages begin with "source:line: ", or without lines "--set source: ".
  */
 typedef struct scene_source {
     const char *source;
@@ -21,8 +21,8 @@ typedef struct scene_source {
 int scene_complain(const scene_source *from, const yaml_node_t *node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** The key of this name for items of this kind (kind < 0: any); NULL after a message with the
- *  valid names. `path`: of the enclosing section, "" outermost. */
+/** The key of this name for items of this kind (kind < 0: without kinds); NULL after a message with
+ * the valid names. `path`: of the enclosing section, "" outermost. */
 const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *node,
                                 const scene_key *keys, int kind, const char *name,
                                 const char *path);

@@ -41,7 +41,7 @@ int solver_init(solver *s, int count) {
     return -1;
 }
 
-/* Frees what only block-Jacobi uses, and solver_defect. */
+/* Frees the arrays that only block-Jacobi and solver_defect use. */
 static void drop_block_jacobi(solver *s) {
     if (s->options.needs_defect)
         return;

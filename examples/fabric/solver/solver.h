@@ -94,7 +94,7 @@ double solver_defect(solver *s, const linear_system *system, const constraints *
 void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
 
 /**
- * Solves A dv = b for dv = S y + z. dv [count] m/s is the initial guess (of which the free part is
+ * Solves A dv = b for dv = S y + z. dv [count] m/s is the initial guess (only its free part is
  * used), then the solution. Adds to *iterations the number of products with A.
  */
 solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,

@@ -5,10 +5,11 @@
  * Vertices are reordered: all even domains come before all odd ones. U contains the blocks above
  * the diagonal in that order, except those between two even or two odd domains, E. There are few of
  * these: if neighbours have near numbers, a domain touches only the ones before and after it. So
- * all even domains, and then all odd ones, are swept in parallel. The preconditioner is (I + U)' (I
- * + U), and the iteration runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the image of p is
- * (Eisenstat 1981) t + (I + U)^-T w,    w = p + (D^ - 2 I + E + E') t so that each stored block of
- * A is used twice per iteration, as in half_product.
+ * all even domains, and then all odd ones, are swept in parallel. The preconditioner is
+ * (I + U)' (I + U), and the iteration runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the
+ * image of p is (Eisenstat 1981)
+ *     t + (I + U)^-T w        w = p + (D^ - 2 I + E + E') t
+ * so that each stored block of A is used twice per iteration, as in half_product.
  */
 #include <math.h>
 #include <string.h>

@@ -7,11 +7,11 @@
 
 #include "solver.h"
 
-/** Zeroed at first; `direct` is allocated at the first solution that does not converge. */
+/** Zeroed at first; `direct` is allocated when first needed. */
 typedef struct solver_fallback {
     struct direct_solver *direct;
     int failed;  /* a direct solution is impossible: not built in, or no memory */
-    int costly;  /* its estimated cost exceeds that of the iteration */
+    int costly;  /* its estimated cost exceeds a quarter of the iteration's */
     int next;    /* number of systems to solve directly before the iteration is tried again */
     long solved; /* total number of systems solved directly */
 } solver_fallback;

@@ -100,7 +100,7 @@ static monitor_verdict complain(monitor *m, monitor_verdict verdict, double valu
     return verdict;
 }
 
-/* Is the fault accepted, because halving is impossible or would not help? If so, counts it. */
+/* Is the fault accepted, because halving is impossible or would not help? Stores the answer. */
 static int tolerates(monitor *m, const monitored_step *step, monitor_verdict verdict) {
     const int is_contact = verdict == STEP_PASSING || verdict == STEP_PENETRATION;
     m->tolerated[verdict] = step->shortest || (is_contact && step->futile);

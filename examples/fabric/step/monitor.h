@@ -46,7 +46,7 @@ typedef struct monitored_step {
     const strain_limit *limit; /* NULL: none */
     const collisions *collisions;
     solver_status status;
-    int passing;  /* number of pairs of the cloth that pass through each other in the step */
+    int passing;  /* pairs of the cloth, and triangles with a collider, that pass in the step */
     int watched;  /* 0: only `finite`, `status` and `passing` are checked */
     int finite;   /* all of x_next and v_next are */
     int shortest; /* the step cannot be halved further */
@@ -61,7 +61,7 @@ typedef struct monitor {
     /* Of the step checked last: */
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* the value and its limit */
-    int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in the shortest step */
+    int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in this step */
     long passing_in_a_row;             /* consecutive accepted steps in which something passed */
     /* Of all accepted steps: */
     long let_pass[STEP_VERDICT_COUNT];

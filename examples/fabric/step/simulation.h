@@ -27,7 +27,7 @@ typedef struct simulation simulation;
 
 /** A step that was repeated at half the length. */
 typedef struct rejection {
-    const char *reason;  /* "energy", "strain", "penetration", "not solved", "not finite" */
+    const char *reason;  /* from monitor_verdict_name */
     double time, h;      /* s, its beginning and its length */
     double value, limit; /* the value that exceeded a limit, and the limit */
 } rejection;

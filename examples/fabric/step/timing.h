@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The times at which steps begin and end. Steps lie on the scene's grid of times, or on halves,
- * quarters, ... of it. Where something begins or ends within a step (plan.h) it is cut in two, at
- * exactly that time: forces are smooth within each part, so that methods keep their order.
+ * quarters, ... of it. A step in which something begins or ends (plan.h) is cut in two at exactly
+ * that time: forces are smooth within each part, so that methods keep their order.
  */
 #ifndef FABRIC_TIMING_H
 #define FABRIC_TIMING_H

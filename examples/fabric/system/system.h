@@ -48,7 +48,7 @@ void block_matrix_locate(const block_matrix *A, const element_list *list, int *b
 
 void block_matrix_free(block_matrix *A);
 
-/** y += A x for a symmetric A of which half is stored. x, y [A->row_count] must not overlap. */
+/** y += A x for a symmetric A with half its blocks stored. x, y [A->row_count] must not overlap. */
 void half_product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 
 #endif

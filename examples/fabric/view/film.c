@@ -18,7 +18,7 @@ struct film {
     frames frames;
     int width, height;
     scene of;
-    float *material; /* [2 * vertices] m, from the first frame, in which the cloth is flat */
+    float *material; /* [2 * vertices] m, from the first frame as if it were flat */
     camera from;
     stage *drawing;
 };

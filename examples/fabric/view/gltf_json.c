@@ -38,7 +38,7 @@ static int turn_accessor(const gltf *g, int number) {
 typedef enum accessor_kind { POINTS, INDICES, NUMBERS, QUATERNIONS } accessor_kind;
 static const char *const accessor_types[] = {"VEC3", "SCALAR", "SCALAR", "VEC4"};
 
-/** Writes an accessor. box: its bounds, of which numbers use the first coordinate; NULL: none. */
+/** Writes an accessor. box: its bounds (of numbers: in the first coordinate); NULL: none. */
 static void put_accessor(FILE *json, accessor_kind kind, int view, uint64_t offset, long count,
                          const bounds *box) {
     fprintf(json, "{\"bufferView\":%d,\"byteOffset\":%llu,\"componentType\":%d,\"count\":%ld,",

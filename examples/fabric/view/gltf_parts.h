@@ -33,7 +33,7 @@ typedef struct gltf {
     uint64_t bytes; /* number of bytes of the buffer */
 } gltf;
 
-/* The buffer's parts, each a bufferView, in the file's order; accessors are in the same order. */
+/* The buffer's parts, each a bufferView, in the file's order. */
 enum { CLOTH, TARGETS, CORNERS, TIMES, WEIGHTS, SOLIDS, SOLID_CORNERS, PATHS, TURNS, PARTS };
 
 /** Converts coordinates from z up to y up. */

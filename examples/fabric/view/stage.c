@@ -172,7 +172,7 @@ static void draw_solids(const stage *st, double time) {
     }
 }
 
-/** Projects what is drawn next onto the plane, away from the light. */
+/** Projects all later drawing onto the plane, away from the light. */
 static void flatten(const double normal[3], double offset) {
     double slope = 0.0, matrix[16] = {0.0};
     for (int k = 0; k < 3; k++)

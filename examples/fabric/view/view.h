@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The commands of fabric-view, each in a file of its own, and what they share. */
+/** The commands of fabric-view, one per file, and shared declarations. */
 #ifndef FABRIC_VIEW_VIEW_H
 #define FABRIC_VIEW_VIEW_H
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The first run is of the scene as it is, which the others are compared with: skipped in most places.
+# The first row is the scene as it is (`default`); most plots choose other rows by name.
 stats 'dt.csv' skip 1 using (is('midpoint') ? $5 : NaN) nooutput
 fine = STATS_min
 coarse = STATS_max
