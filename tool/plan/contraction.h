@@ -13,9 +13,9 @@ typedef enum contraction {
     CONTRACTION_OFF_IN_FILE
 } contraction;
 
-/** Decides for all loops to be transformed. Sets is_forbidden, by verdict, if contraction is
- *  forbidden in the loop itself: an operation in the loop, or in a function that it calls, could be
- *  contracted, perhaps with one outside of the loop. */
+/** Decides for all loops to be transformed. With CONTRACTION_OFF_IN_LOOPS it sets is_forbidden, by
+ *  verdict, for each loop in which, or in functions that it calls, an operation could be
+ * contracted, perhaps with one outside of the loop. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
                            const plan_options *options, bool has_lanes, bool *is_forbidden);
 

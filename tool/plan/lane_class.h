@@ -4,9 +4,9 @@
  * expression follows from those of its variables. Control flow is the same for all lanes, except
  * for conditions around updates, which are executed lane by lane.
  *
- * A variable is uniform if all values assigned to it are uniform and no condition that differs
- * between lanes decides whether it is assigned. Classes are propagated over assignments to a fixed
- * point.
+ * An integer or pointer is uniform if all values assigned to it are uniform, and all lanes execute
+ * all its assignments, none of them in an update statement. Classes are propagated over assignments
+ * to a fixed point.
  */
 #ifndef PLAN_LANE_CLASS_H
 #define PLAN_LANE_CLASS_H
@@ -17,8 +17,7 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer per lane: an array of them */
-    LANE_MASK,  /* a const integer initialised by a comparison of reals: a vector of -1 (true) or 0
-                 */
+    LANE_MASK, /* a const integer initialised by comparisons of reals: a vector of -1 (true) or 0 */
     LANE_LOCAL, /* declared in an update statement: private to each lane's updates */
     LANE_VECTOR /* a double or float, or an array of them, per lane: vectors */
 } lane_class;
@@ -46,7 +45,7 @@ void lane_classify(lane_scope *l);
 /** Is the variable private to the iteration, or declared in the function being written? */
 bool lane_is_own(const lane_scope *l, const ir_variable *variable);
 bool lane_is_uniform(const lane_scope *l, const ir_node *node);
-/** Does the expression contain no call and no assignment? */
+/** Does the expression contain no call, assignment, increment, string or initialiser list? */
 bool lane_is_plain(const ir_node *node);
 /** Is a LANE_VECTOR variable used other than through one of its elements? */
 bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);

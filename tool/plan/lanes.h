@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Several iterations at once (redcc/lanes.h): decides which loops have such a form, and which
- * statements.
+ * Decides which loops have a form that executes several iterations at once (redcc/lanes.h), and how
+ * their statements are executed in it.
  *
  * A body is split into computations, which are executed for all lanes at once, and updates, which
  * are executed iteration by iteration after them. Why it is sound: no iteration reads what another
@@ -28,7 +28,8 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable);
 bool lane_has_update(const loop_facts *facts, const ir_node *statement);
 /** Is the statement `if (...) continue;`? */
 bool lane_is_exit(const ir_node *statement);
-/** Is the statement an `if` whose branch contains both updates and other statements? */
+/** Given a statement with updates: is it an `if` without `else` whose block also contains
+ * statements without updates? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
 
 /** The update statement of the body that contains the node; NULL: the node is computed for all
@@ -50,9 +51,10 @@ void lane_check_operand(lane_scope *l, const ir_node *value);
 
 /** Are the iterations of an inner `for` the same for all lanes? */
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop);
-/** May the function, at this call depth, get a vector form? It must return at its end. */
+/** May the function, at this call depth, get a vector form? It must return nothing, or a real at
+ * its end. */
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth);
-/** The class of the parameter in a call with this argument. */
+/** The class of the parameter in a call with this argument. Records a problem if there is none. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);
 /** The innermost element type of a LANE_VECTOR variable; of a pointer, that of its target. */
 const ir_type *lane_vector_type(const ir_variable *variable);

@@ -72,10 +72,9 @@ typedef struct loop_plan {
     const ir_unit *unit;  /* the same without branches that this compilation never takes */
     const loop_facts *facts;
     const plan_options *options;
-    reason
-        obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
-                   * obstacle is_shadowed and the fields after `precheck` may be unset. id:
-                   * REASON_INDEX_EXPENSIVE if the loop can be written for bins only; else NONE */
+    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
+                      * obstacle is_shadowed and the fields after `precheck` may be unset. id:
+                      * REASON_INDEX_EXPENSIVE if only bins could execute the loop; else NONE */
 
     unsigned source_count;
     const logged_source *sources;

@@ -27,7 +27,7 @@ typedef struct search {
 
 static void visit(search *s, const ir_node *node);
 
-/** The constant initial value of the loop variable; false if it is not constant. */
+/** Sets *value to the counter's initial value. False: it is not constant. */
 static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
     const ir_node *first = NULL;
     if (start->kind == IR_DECLARATION && start->child_count == 1 &&
@@ -124,7 +124,8 @@ static bool matches(const search *s, const ir_node *node) {
     return syntax_same(node, s->wanted) || (structure && other && syntax_same(other, structure));
 }
 
-/** Visits the reads of A that a function always makes when it is called as find(A, i, j). */
+/** Visits the reads of the structure A that a function always makes when called as find(A, i, j).
+ */
 static void visit_callee(search *s, const ir_node *call) {
     const ir_node *callee = ir_child(call, 0);
     const ir_node *structure = s->parameter ? NULL : structure_of(s->wanted);
