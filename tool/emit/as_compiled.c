@@ -106,7 +106,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
     const ir_range text = compiled_range(loop);
     assert(text.begin <= text.end && text.end <= whole->source->length);
     unsigned depth = 0,
-             left_out = 0;  /* open groups that are copied; open groups in skipped branches */
+             left_out = 0;  /* open groups that are copied, and those in skipped branches */
     bool is_decided = true; /* the current group's compiled branch has begun */
     const ir_directive *before = NULL;
     const bool depends =

@@ -19,7 +19,7 @@ static const char byte_order_mark[] = "\xef\xbb\xbf";
 /** The prefix of names that the generated text declares. */
 static const char reserved_prefix[] = "redcc__";
 
-/** The file's line ends are CR LF if its first line's is. */
+/** Does the first line end with CR LF? Then so does each written line. */
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
@@ -111,7 +111,7 @@ static bool names_function(const ir_unit *unit, const ir_declared *declared) {
     return false;
 }
 
-/** Is the name declared outside of all functions, before `place`? */
+/** Is the name declared outside of all functions before `place`, or in a header, or built in? */
 static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32_t place) {
     if (!declared)
         return false;
@@ -326,7 +326,7 @@ typedef struct file_text {
     const char *obstacle; /* the reason why no loop is written; NULL: none */
 } file_text;
 
-/** Writes the file's loops, with lanes if `has_lanes` and possible. Does any loop have lanes? */
+/** Writes the file's loops, with lanes if `has_lanes` and possible. True: some loop has lanes. */
 static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfused,
                         loop_list *loops) {
     bool are_written = false;
@@ -353,7 +353,7 @@ static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfus
     return are_written;
 }
 
-/** May loops of the file have lanes, according to the plans? */
+/** May loops of the file have lanes, according to the plans? Sets lanes to the plans' reasons. */
 static bool may_have_lanes(const file_text *f) {
     bool may = false;
     for (unsigned i = 0; i < f->analysis->verdict_count; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Verdicts to output text: the user's file with each loop that is to run in parallel replaced by a
- * block that contains both forms of it. docs/generated-code.md shows one whole.
+ * Verdicts to output text: the user's file, in which a block with the parallel and the original
+ * form replaces each loop to be written. docs/generated-code.md shows a complete one.
  */
 #ifndef EMIT_EMIT_H
 #define EMIT_EMIT_H

@@ -174,7 +174,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     write_attempt(loop, out);
     out->depth--;
     writer_line(out, "}");
-    /* not `if (!redcc__done)`: compilers would consider an `else` in the loop ambiguous */
+    /* not `if (!redcc__done)`: compilers would warn of an ambiguous `else` in the loop */
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
@@ -190,9 +190,9 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     origin_copy(&out->out, text, range.begin, range.end);
 }
 
-/** Writes the end of the block, with the end of the measurement of the sequential loop. */
+/** Writes the end of the block, in which the timing of the sequential loop ends. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool has_condition = /* a compilation may not time it */
+    const bool has_condition = /* some compilations do not time the loop */
         loop->facts->slice.has_floating_work || has_crew(loop);
     const char *site = outlined_name(loop, "site");
     if (!has_condition && !has_branches(loop)) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Classes of an iteration's variables when several iterations are executed at once. The class of an
- * expression follows from those of its variables. Control flow is the same for all lanes, except
- * for conditions around updates, which are executed lane by lane.
+ * expression follows from those of its variables. Loops are the same for all lanes; an `if`
+ * may concern some lanes only. Updates are executed lane by lane.
  *
  * An integer or pointer is uniform if all values assigned to it are uniform, and all lanes execute
  * all its assignments, none of them in an update statement. Classes are propagated over assignments

@@ -29,8 +29,8 @@ const char *wrapping_name(const ir_node *node, void *context);
  *  its line number. */
 void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text);
 
-/** Lets the statement be printed from the IR instead of being copied; if a macro made it, the
- *  innermost statement around it that can be replaced. */
+/** Lets the statement be printed from the IR instead of being copied; if it is a part of a macro's
+ *  text, the whole statement that the macro makes. Records an obstacle if that is impossible. */
 void print_instead(body_copy *copy, const ir_node *statement);
 bool is_printed(const body_copy *copy, const ir_node *node);
 

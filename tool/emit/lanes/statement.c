@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Statements that compute, for all lanes, and the functions that they call. Control flow must be
- * the same for all lanes: loops and conditions on uniform values.
+ * Statements that compute, for all lanes, and the functions that they call. Loops must be the same
+ * for all lanes; an `if` may be executed by some lanes only (mask.c).
  */
 #include <assert.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inspector being written: the addresses logged so far, and the form of logging. */
+/** The inspector being written: what it has logged so far, and how the current code is spelled. */
 #ifndef EMIT_SLICE_ACCESS_LOG_H
 #define EMIT_SLICE_ACCESS_LOG_H
 
