@@ -40,7 +40,7 @@ static void show_attempt(const session *s, const attempt *made) {
     file_show(made->error, stderr);
 }
 
-/* A signal to this process, or one that ended the compiler, ends the build without another
+/* A signal to this process, or SIGINT or SIGTERM to the compiler, ends the build without another
  * attempt. */
 static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
@@ -85,7 +85,8 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
     words_add(a, list, "-Wl,--pop-state");
 }
 
-/* Runs the original command; a link gets the runtime, and is repeated without it if that fails. */
+/* Runs the original command; a link of loops gets the runtime, and is repeated without it on
+ * failure. */
 static _Noreturn void build_original(session *s) {
     if (!build_can_add_runtime(s) || !loops_are_linked(s))
         session_become_compiler(s);
@@ -284,7 +285,7 @@ static const char *object_of(session *s, const translation *t) {
     return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
-/* -c or -S of several sources: compiles each translated text separately, the others together. */
+/* -c or -S of several sources, after compile: compiles together those that have no translation. */
 static _Noreturn void build_separately(session *s, const translation *translations,
                                        const bool *done, unsigned count) {
     word_list rest = {0};

@@ -18,7 +18,7 @@
 typedef struct project_function {
     const char *name;
     bool is_static;
-    bool has_loop; /* it contains an update, or an assignment through a subscript */
+    bool has_loop; /* it contains a loop, and an update or an assignment to an element */
     VECTOR(const char *) calls;
 } project_function;
 

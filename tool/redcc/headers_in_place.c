@@ -127,7 +127,7 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
 }
 
 /* Does the file, or a header, use the depth of inclusion? In place of its directive a header's text
- * is one level higher. */
+ * has a depth that is less by one. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
     bool is_found = strstr(unit->source->text, word) != NULL;

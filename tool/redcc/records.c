@@ -58,8 +58,8 @@ static bool is_unrecorded(const recorder *r, const ir_function *f) {
                    : !project_definer(r->around, f->name, NULL);
 }
 
-/* Is the function declared inside another one? Then it cannot be named at the file's end, and the
- * file gets no records. */
+/* Is the function declared inside another one? Then it cannot be named at the file's end, and its
+ * callers get no records. */
 static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     for (unsigned i = 0; !f->declared->file && i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];

@@ -333,8 +333,8 @@ static header_uses used_headers(arena *a, const analysed_file *file, const reaso
     return used;
 }
 
-/** May headers be put in place? The output would not change with them: so only for a report, or for
- *  redcc-cc, which translates again when a header changes. */
+/** May headers be put in place? The output then contains them, and does not follow their changes.
+ * So only for a report, or for redcc-cc, which translates again when a header changes. */
 static bool may_have_headers(const options *o) {
     return !o->output || o->compiler != COMPILER_ANY;
 }
@@ -421,8 +421,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Did redcc write this text? Then a line says so, and only directives and comments of other tools
- * precede that line. */
+/** Did redcc write this text? Then it contains the lines with which each written file begins. Other
+ * tools may have put text before them. */
 static bool is_translated(const source *file) {
     static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&
