@@ -40,8 +40,8 @@ static bool wants_remarks(const session *s) {
 }
 
 /* May the translator use functions of other files? Not with link-time optimisation: the linker may
- * inline such a function into one form of a loop and contract it there, but the function's record
- * describes how its own object was compiled. */
+ * inline such a function into one form of a loop and contract it there. The function's record
+ * describes only how its own object was compiled. */
 static bool sees_project(const session *s) {
     for (unsigned i = 0; i < s->command.count; i++)
         if (strncmp(s->command.items[i].text, "-flto", 5) == 0)
@@ -152,7 +152,7 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* The result of searching the source and its headers, which may be NULL and is cached with them:
+/* The result of searching the source and its headers; NULL: nothing found. It is cached with them:
  * searching again would take longer than all other work for a cached translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {

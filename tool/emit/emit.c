@@ -283,8 +283,8 @@ static void join(arena *a, const ir_unit *unit, contraction where, const plan_op
     buffer_free(&out);
 }
 
-/** Asserts that the pieces are disjoint and in the order of the file, that each is of a verdict to
- * be written, and that the origins of each lie in its text. */
+/** Asserts that the pieces are disjoint and in the order of the file, that each belongs to a
+ * verdict to be written, and that its origins lie in its text. */
 static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
                           const loop_list *loops) {
     (void)unit, (void)analysis;

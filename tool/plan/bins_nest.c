@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. Each
- * update has one record, appended before the nest, with the operands of all iterations. This is
- * legal for two reasons: the operands read nothing that the nest changes, since updates are applied
- * later, and no update reaches the same element in two iterations of the nest.
+ * update has one record, appended before the nest, with the operands of all iterations. Since
+ * updates are applied later, this is legal only if the operands read nothing that the nest changes,
+ * and if no update reaches the same element in two iterations of the nest.
  */
 #include <assert.h>
 #include <string.h>

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Forbids compilers to contract a multiplication and an addition into an operation with one
- * rounding. The serial and
- * the parallel form of a loop give the same bits only if neither is contracted; nor may an
- * inspector compute other subscripts than its executor.
+ * rounding. The serial and the parallel form of a loop give the same bits only if neither is
+ * contracted. Nor may an inspector compute other subscripts than its executor.
  *
  * Usually it is enough to forbid it in the functions that contain loops and in the generated text.
- * It is not if a loop calls a function of the same file that itself contains a contractible
- * expression: gcc may inline the callee into one form of the loop, where contraction is forbidden,
- * but call it in another form, where the callee is contracted. Then contraction is forbidden in
- * the whole file; likewise if a function cannot get the attribute (may_have_attribute), if a loop
- * has lanes, if the file may name a target, or if a macro changes the pragma.
+ * It is not if a loop calls a function of the same file that contains a contractible expression.
+ * Gcc may inline the callee into one form of the loop, where contraction is forbidden, and call the
+ * contracted callee in another. Then contraction is forbidden in the whole file; likewise if a
+ * function cannot get the attribute (may_have_attribute), if a loop has lanes, if the file may name
+ * a target, or if a macro changes the pragma.
  */
 #include "plan/contraction.h"
 

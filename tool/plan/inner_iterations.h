@@ -12,13 +12,13 @@
  * continues with the next inner iteration. Rows that a nested loop steps through are checked
  * together: in a loop over pairs of blocks, a thread that owns neither block skips the pair.
  *
- * Why it is sound: the rest of the inner iteration has no effects except updates and changes of its
- * private variables, including variables declared outside that are set again before each use
- * (inner_variables.h). So skipping the rest cannot be observed. The rows that the rest updates
- * are known before it. The rest may also add to variables that are read only by updates outside of
- * the inner loop, as in `p += e; ... f[i] += p;`: then a thread that skips the rest must not own
- * the rows of those updates either. If the rest adds to series, or calls functions that may set
- * errno, one thread leads in each iteration and skips nothing.
+ * Why it is sound: the rest of the inner iteration only makes updates and changes its private
+ * variables. Among these are variables declared outside that are set again before each use
+ * (inner_variables.h). So skipping the rest cannot be observed. The rows that the rest updates are
+ * known before it. The rest may also add to variables that are read only by updates outside of the
+ * inner loop, as in `p += e; ... f[i] += p;`: then a thread that skips the rest must not own the
+ * rows of those updates either. If the rest adds to series, or calls functions that may set errno,
+ * one thread leads in each iteration and skips nothing.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H

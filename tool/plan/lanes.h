@@ -40,8 +40,8 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
  *  unless lanes are requested for all loops. */
 void lane_check_worth(lane_scope *l);
 
-/** Records a problem if an update statement, which is executed once for each lane, is left by a
- * jump, or changes anything but the element and variables private to the lane. */
+/** An update statement is executed once for each lane. Records a problem if a jump leaves it, or if
+ * it changes anything but the element and variables private to the lane. */
 void lane_check_updates(lane_scope *l, const ir_node *statement);
 /** Records a problem if a later statement of the block changes an update's operands, or uses a
  * variable that the update statement changes. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions that the generated text evaluates before the first iteration - the bases of arrays,
- * first and last rows, keys - must be ones that the loop evaluates anyway if it iterates: in
+ * Before the first iteration, the generated text evaluates bases of arrays, first and last rows,
+ * and keys. These must be expressions that the loop evaluates anyway if it iterates: in
  *
  *     if (s) s->b[k[t]] += 1;
  *

@@ -99,8 +99,8 @@ static bool is_integer(const ir_type *type) {
     return (type->kind == IR_INTEGER && type->size <= WIDE_SIZE) || type->kind == IR_BOOLEAN;
 }
 
-/** Records an obstacle unless counter and bound are integers of at most 64 bits, in which
- * iterations are counted, the first value can be converted to one, and the step is small. */
+/** Records an obstacle unless counter and bound are integers of at most 64 bits, the first value
+ * can be converted to one, and the step is small. Iterations are counted in 64 bits. */
 static void check_counter(loop_plan *plan) {
     const counted_loop *counted = &plan->facts->counted;
     const ir_type *counter = counted->counter->type;
@@ -127,8 +127,8 @@ static bool contains_base(const loop_facts *facts, const ir_node *node, unsigned
     return false;
 }
 
-/** Records an obstacle for two updates in one statement, and for an update of a private copy that
- * does not name its array: in the body the array's name means the copy. */
+/** Records an obstacle for two updates in one statement. In the body, an array's name means its
+ * private copy; so an update of the copy must name the array. */
 static void check_updates(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {

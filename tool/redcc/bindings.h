@@ -8,8 +8,8 @@
 
 /**
  * Compares, for each name in the loops' new text, the declaration that the compiler finds with the
- * intended one: for a copy of the user's bytes, the declaration found there in `before`; for a name
- * written by the translator, the variable, function or type that it refers to. `after` is the
+ * intended one. In a copy of the user's bytes, that is the declaration found in `before`; for a
+ * name written by the translator, the variable, function or type that it refers to. `after` is the
  * written text, parsed. Sets wrong[i], for `written->loops[i]`, to the first name with another
  * meaning, or leaves it unchanged. Thread-safe; the names belong to the units.
  */

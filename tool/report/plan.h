@@ -8,9 +8,9 @@
 typedef struct plan_answer {
     const char *word;   /* "kept": one plan is reused while its inputs are unchanged; "remade": each
                          * execution builds one; "none": in-order binning executes the loop without
-                         * one; "never": the loop runs sequentially unless a method is named. NULL: it
-                         * is   not translated, or runs in fixed blocks */
-    const char *cause;  /* NULL if it is kept */
+                         * one; "never": the loop runs sequentially unless a method is named. NULL:
+                         * not translated, or run in fixed blocks */
+    const char *cause;  /* of "remade" and "never"; else NULL */
     const char *advice; /* a change of the source that would help; NULL: no simple one */
     ir_range range;     /* of the cause; empty: the loop itself */
 } plan_answer;

@@ -18,9 +18,9 @@ typedef struct body_copy {
     const ir_node *within;           /* the statement being printed */
 } body_copy;
 
-/** A hook that spells a node of the body, with the loop_text as context: the local name of an
- * array's base, of an own element, of a value that is forwarded, or of a variable passed by
- * address. NULL: as the user wrote it. */
+/** A hook that spells a node of the body; the context is the loop_text. It gives the local name of
+ * an array's base, of an own element, of a forwarded value, or of a variable passed by address.
+ * NULL: as the user wrote it. */
 const char *local_name(const ir_node *node, void *context);
 /** As local_name, for code that the program may not execute: signed arithmetic wraps around. */
 const char *wrapping_name(const ir_node *node, void *context);

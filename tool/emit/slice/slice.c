@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The inspector: the slice of the body that computes the subscripts, with macros at the body's
- * updates and reads that log their addresses or compare them with those of preceding iterations.
+ * The inspector: the slice of the body that computes the subscripts. At the body's updates and
+ * reads it has macros that log their addresses or compare them with those of preceding iterations.
  */
 #include "emit/slice/slice.h"
 
