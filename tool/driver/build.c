@@ -381,8 +381,7 @@ _Noreturn void build(session *s, const translation *translations, unsigned count
     if (translated == 0)
         build_original(s);
     /* Compiling and linking are two calls, to distinguish the linker's messages from the
-     * compiler's. They are one call if an option asks for files that are named after the program.
-     */
+     * compiler's. They are one call if an option asks for files named after the program. */
     if (s->command.compiled == 1 && (!s->command.links || s->command.meaning & OPTION_AUXILIARY))
         build_one(s, &translations[0]);
     build_several(s, translations, count);

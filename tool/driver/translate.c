@@ -190,8 +190,7 @@ bool translation_assembles_file(session *s, const translation *t) {
 }
 
 /* A header that the compiler may read in precompiled form; NULL: there is none. Such a form is
- * valid only for the options it was made with: gcc 12 crashes if OpenMP was off when it was made.
- */
+ * valid only for the options it was made with: gcc 12 crashes if OpenMP was off then. */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
     for (unsigned i = 0; i < t->read.count; i++)

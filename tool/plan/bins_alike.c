@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Finds records that the same statements can apply: their updates differ only in rows and values.
+/** Finds records that the same statements can apply: updates that differ only in rows and values.
  */
 #include <string.h>
 

@@ -2,8 +2,8 @@
 /**
  * Finds updates that share a record. Of a run of adjacent update statements, a group contains those
  * of one row of an array, or of rows of different arrays at one subscript. Arrays that occur only
- * together, in all groups, are one stream. The group's writes are deferred, so its operands do not
- * change while it is executed, and the record at its first statement can hold all of them.
+ * together, in all groups, may be one stream. The group's writes are deferred, so its operands do
+ * not change while it is executed, and the record at its first statement can hold all of them.
  */
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
@@ -45,7 +45,7 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
 }
 
 /** The group for the next update; `count`: a new one. Groups before the last one that updates the
- *  array are excluded, so that the array's updates keep their order. */
+ * array (and it, unless `wide`) are excluded: the array's updates keep their order. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)

@@ -28,8 +28,8 @@ void find_rows(const loop_facts *facts, bins_plan *bins, bool wide);
  *  base must be a multiple of row_bytes. */
 bool is_in_step(const loop_facts *facts, const bins_plan *bins, const reduction_update *update);
 
-/** Do the updates' rows have the same number, counted from their arrays' bases? Requires is_in_step
- *  of both. */
+/** Do the updates' rows have the same number, counted from their arrays' bases? Correct only if
+ * is_in_step holds for both. */
 bool is_same_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *left,
                  const reduction_update *right);
 
@@ -38,7 +38,8 @@ bool is_same_row(const loop_facts *facts, const bins_plan *bins, const reduction
  */
 bool group_updates(arena *a, const loop_facts *facts, bins_plan *bins, bool wide, bool together);
 
-/** Do both records make the same updates, except for the values? Both are of one stream. */
+/** Do both records make the same updates, except for rows and operands' values? Both are of one
+ * stream. */
 bool records_are_alike(const loop_facts *facts, const bins_plan *bins, const bins_record *a,
                        const bins_record *b);
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Forbids compilers to contract a multiplication and an addition into an operation with one
- * rounding. The serial and the parallel form of a loop give the same bits only if neither is
- * contracted. Nor may an inspector compute other subscripts than its executor.
+ * rounding. Unless any order is permitted, the serial and the parallel form of a loop must give the
+ * same bits, so neither may be contracted. Nor may an inspector compute other subscripts than its
+ * executor.
  *
  * Usually it is enough to forbid it in the functions that contain loops and in the generated text.
  * It is not if a loop calls a function of the same file that contains a contractible expression.
@@ -17,8 +18,7 @@
 
 #include "plan/place.h"
 
-/** Floating-point operations of a loop or of the functions that it calls, directly and indirectly.
- */
+/** Floating-point operations of a loop or of functions that it calls, directly or indirectly. */
 typedef struct reach {
     bool *is_seen; /* by function */
     bool multiplies, adds;
@@ -68,8 +68,7 @@ static void collect_operations(reach *r, const ir_node *node) {
         collect_operations(r, node->children[i]);
 }
 
-/** Collects the operations of called functions only: in the loop itself contraction is forbidden.
- */
+/** Collects the operations of called functions only: in the loop contraction is forbidden. */
 static void collect_calls(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);

@@ -14,8 +14,8 @@ typedef enum contraction {
 } contraction;
 
 /** Decides for all loops to be transformed. With CONTRACTION_OFF_IN_LOOPS it sets is_forbidden, by
- *  verdict, for each loop in which, or in functions that it calls, an operation could be
- * contracted, perhaps with one outside of the loop. */
+ * verdict, for each loop that, itself or in a called function, has an operation that could be
+ * contracted. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
                            const plan_options *options, bool has_lanes, bool *is_forbidden);
 

@@ -110,8 +110,8 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Are there updates in inner loops, each of which the inspector logs as one span, and does its
- * slice neither search nor run in a pre-check? */
+/** Are there updates in inner loops, all of which the inspector logs as spans? Its slice must
+ * neither search nor run in a pre-check. */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;

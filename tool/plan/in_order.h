@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Does the executor's body, executed in order, do the same as the sequential loop? It may not: the
+/** Does the executor's body, executed in order, do the same as the sequential loop? Not always: the
  *  executor reads bounds and variables once, before the loop, and stores own elements when all
  *  iterations have ended. */
 #ifndef PLAN_IN_ORDER_H

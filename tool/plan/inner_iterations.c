@@ -90,7 +90,8 @@ static bool may_write(const inner_rest *t, const ir_node *call) {
     return !callee;
 }
 
-/** Is the node `p op= e` for a variable that is private to the iteration? Then p becomes a sum. */
+/** Is the node `p op= e` for a variable that is private to the iteration? Adds p to the sums; false
+ * if there are too many. */
 static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable) {
     if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
         return false;

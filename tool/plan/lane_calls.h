@@ -23,8 +23,7 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call);
  *  fabsf), or NULL. */
 const char *lane_known_call(const ir_function *callee);
 
-/** Records a problem if errno may differ after the loop from its value after the sequential loop.
- */
+/** Records a problem if errno may differ after the loop from that after the sequential loop. */
 void lane_check_errors(lane_scope *l);
 
 /** Calls per iteration that are made lane by lane, without those in update statements. */

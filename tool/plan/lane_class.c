@@ -260,9 +260,9 @@ static bool is_divergent(const lane_scope *l, const ir_node *node, const ir_node
     }
 }
 
-/** The part of the scope outside of which the value written is not used: the block with the
- *  variable's declaration; or, if all uses lie in loops that initialise the variable, the outermost
- *  such `for` around the write. */
+/** The part of the scope that contains all uses of the value written: the block with the variable's
+ * declaration; or, if all uses lie in loops that initialise the variable, the outermost such `for`
+ * around the write. */
 static const ir_node *life_of(const lane_scope *l, const ir_node *write,
                               const ir_variable *variable) {
     const bool is_counter = lane_is_counter_only(l->body, variable);

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Classes of an iteration's variables when several iterations are executed at once. The class of an
- * expression follows from those of its variables. Loops are the same for all lanes; an `if`
- * may concern some lanes only. Updates are executed lane by lane.
+ * expression follows from those of its variables. All lanes execute the same iterations of inner
+ * loops; an `if` may concern some lanes only. Updates are executed lane by lane.
  *
  * An integer or pointer is uniform if all values assigned to it are uniform, and all lanes execute
- * all its assignments, none of them in an update statement. Classes are propagated over assignments
- * to a fixed point.
+ * all its assignments. Update statements may assign it only as a loop's counter. Classes are
+ * propagated over assignments to a fixed point.
  */
 #ifndef PLAN_LANE_CLASS_H
 #define PLAN_LANE_CLASS_H
@@ -50,10 +50,10 @@ bool lane_is_plain(const ir_node *node);
 /** Is a LANE_VECTOR variable used other than through one of its elements? */
 bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);
 bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
-/** The LANE_VECTOR variable of which the node is the value, or the same element in all lanes; NULL:
- *  none. */
+/** The LANE_VECTOR variable whose value the node is, or whose element with uniform subscripts;
+ * NULL: none. */
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
-/** The LANE_VECTOR variable of which the node is an element, perhaps another one in each lane. */
+/** The same, but subscripts may differ between lanes. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
 /** Is the type double or float? They have vectors. */
 bool lane_is_real(const ir_type *type);

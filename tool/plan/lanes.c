@@ -218,8 +218,7 @@ static bool check_update_node(ir_node *node, void *context) {
     return true;
 }
 
-/** May the node change the variable: assign to it, declare it, take its address, or name an array?
- */
+/** May the node change the variable: assign it, declare it, take its address, or name an array? */
 static bool may_change(const ir_node *node, const ir_variable *variable) {
     bool other = false;
     if (assigned_by(node, &other) == variable)

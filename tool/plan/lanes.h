@@ -36,8 +36,8 @@ bool lane_is_part(const loop_facts *facts, const ir_node *statement);
  * lanes at once. */
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
 
-/** Records a problem if the work per lane in update statements outweighs the vector operations,
- *  unless lanes are requested for all loops. */
+/** Records a problem if too much of an iteration's work, update statements and calls, is done lane
+ * by lane, unless lanes are requested for all loops. */
 void lane_check_worth(lane_scope *l);
 
 /** An update statement is executed once for each lane. Records a problem if a jump leaves it, or if
@@ -51,8 +51,8 @@ void lane_check_operand(lane_scope *l, const ir_node *value);
 
 /** Are the iterations of an inner `for` the same for all lanes? */
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop);
-/** May the function, at this call depth, get a vector form? It must return nothing, or a real at
- * its end. */
+/** May the function, at this call depth, get a vector form? It must belong to this file, have fixed
+ * parameters, and return nothing, or a real at its end. */
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth);
 /** The class of the parameter in a call with this argument. Records a problem if there is none. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);

@@ -78,8 +78,8 @@ typedef struct loop_plan {
 
     unsigned source_count;
     const logged_source *sources;
-    const int *source_number;   /* for each of the facts' sources: its index in sources */
-    const bool *has_ready_base; /* for each of them: may its base be read before the loop? */
+    const int *source_number;   /* by source of the facts: index in sources, or SOURCE_NOT_LOGGED */
+    const bool *has_ready_base; /* likewise: may its base be read before the loop? */
     const bool *is_shadowed;    /* for each array: a pointer of its name replaces it in the body */
     dependence_precheck precheck;
     execution_plan execution;

@@ -62,8 +62,7 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** `visited`: functions with their call depth and the loop's variables that were their arguments.
- */
+/** `visited`: functions, with call depth and the loop's variables that were their arguments. */
 typedef struct gather_search {
     arena *arena;
     map *visited;

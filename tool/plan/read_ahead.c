@@ -124,8 +124,7 @@ static bool matches(const search *s, const ir_node *node) {
     return syntax_same(node, s->wanted) || (structure && other && syntax_same(other, structure));
 }
 
-/** Visits the reads of the structure A that a function always makes when called as find(A, i, j).
- */
+/** Visits those reads of the structure A that a function, called as find(A, i, j), always makes. */
 static void visit_callee(search *s, const ir_node *call) {
     const ir_node *callee = ir_child(call, 0);
     const ir_node *structure = s->parameter ? NULL : structure_of(s->wanted);

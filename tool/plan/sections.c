@@ -94,8 +94,7 @@ static bool are_whole(const char *rest, const ir_type *row) {
     return !row || row->kind != IR_ARRAY; /* else brackets are missing */
 }
 
-/* Sets *it to the array's section in the clause. False: it has none, or the text does not show it.
- */
+/* Sets *it to the array's section in the clause. False: none, or the text does not show it. */
 static bool find_section(const loop_plan *plan, const reduction_array *array, array_section *it) {
     const ir_node *base = array->base;
     const openmp_item *item =

@@ -139,8 +139,7 @@ static bool names_level(arena *a, const ir_unit *unit) {
     return is_found;
 }
 
-/* The only directive that includes the header, in the main file; NULL: there are others, or none.
- */
+/* The only directive in the main file that includes the header; NULL: there are more, or none. */
 static const ir_inclusion *only_inclusion(const ir_unit *unit, const char *header) {
     const ir_inclusion *only = NULL;
     for (unsigned i = 0; i < unit->text.inclusion_count; i++) {
