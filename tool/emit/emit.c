@@ -111,7 +111,7 @@ static bool names_function(const ir_unit *unit, const ir_declared *declared) {
     return false;
 }
 
-/** Is the name declared outside of all functions before `place`, or in a header, or built in? */
+/** Is the name declared before `place` outside of all functions, or in a header, or built in? */
 static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32_t place) {
     if (!declared)
         return false;
@@ -121,7 +121,7 @@ static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32
         const ir_function *function = unit->functions[i];
         const uint32_t end = function->body ? function->body->range.end : function->range.end;
         if (!function->body && names_function(unit, declared))
-            continue; /* `int f(void), g(void);` */
+            continue; /* g of `int f(void), g(void);` */
         if (function->is_in_main_file && function->declared != declared &&
             declared->offset >= function->range.begin && declared->offset < end)
             return false;
@@ -235,8 +235,8 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** Adds, directly before each function with a loop of is_unfused, the text that turns
- * contraction off in the function. */
+/** Adds, directly before each function with a loop for which is_unfused is set, the text that turns
+ * contraction off in it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;

@@ -91,9 +91,8 @@ static void hide(loop_text *loop, writer *out, const ir_variable *variable, bool
                 has_value ? variable->name : "");
 }
 
-/* Opens blocks that declare variables which hide those private to the threads, and the counter:
- * after the loop the hidden variables have their values from before. Returns the number of blocks.
- */
+/* Opens blocks whose variables hide those private to the threads, and the counter: after the loop
+ * these have their values from before. Returns the number of blocks. */
 static unsigned hide_privates(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const openmp_loop *openmp = facts->variables.openmp;

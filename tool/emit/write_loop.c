@@ -94,7 +94,7 @@ static const char *heading(loop_text *loop) {
         buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", array->name,
                       array->order_is_kept ? "order kept" : reduction_operator_spelling(array->op));
     }
-    /* a name is C text: it contains the end of a comment only in a string or comment of its own */
+    /* none if a name, by a string or comment in it, would end the heading's comment */
     const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
     buffer_free(&out);
     return text;

@@ -338,7 +338,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
-/** May a record make several updates of a float, each of which must round to float? */
+/** May a record make several updates of a float, with rounding to float after each? */
 static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
     bool has_floats = false;
     for (unsigned i = 0; i < stream->array_count; i++) {

@@ -164,7 +164,8 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
     return false;
 }
 
-/** Is the node an enumerator that the function declares, or a sizeof with a renamed operand? */
+/** Is the node an enumerator that the function declares before the body, or a sizeof with a renamed
+ * operand? */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
@@ -279,8 +280,8 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** A loop with updates is unrolled only in plain iterations and in tiles: in other forms it would
- * be slow to compile. In these, its step hides the counter's value from the compiler. */
+/** A loop with updates is unrolled only in plain iterations and in tiles. In other forms that would
+ * be slow to compile: there the step hides the counter's value from the compiler. */
 static void keep_others_rolled(body_copy *copy, const ir_node *node) {
     const ir_node *step = node->children[2];
     const char *const text = copy->loop->unit->source->text;

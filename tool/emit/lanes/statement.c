@@ -63,7 +63,7 @@ static const char *zeros(vectoriser *l, const ir_type *type) {
     return text;
 }
 
-/** The initialiser of an array: zeros, or a value for each element of one row. */
+/** The initialiser of an array: zeros or, in one dimension, a value for each element. */
 static const char *array_initialiser(vectoriser *l, const ir_type *type, const ir_node *value) {
     arena *a = l->loop->arena;
     if (value->kind == IR_INITIALIZERS && is_zero(value))

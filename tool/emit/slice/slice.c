@@ -167,7 +167,7 @@ static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
 }
 
-/** Prints the nested spans, each of which logs its rows once. */
+/** Prints the nested spans, except those whose rows enclosing spans log. */
 static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *node) {
     if (span_of(facts, node)) {
         if (!is_logged_elsewhere((inspector *)p, span_of(facts, node)))
