@@ -285,7 +285,7 @@ static const char *object_of(session *s, const translation *t) {
     return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
-/* -c or -S of several sources, after compile: compiles together those that have no translation. */
+/* Ends -c or -S of several sources: compiles together those whose translated texts are not used. */
 static _Noreturn void build_separately(session *s, const translation *translations,
                                        const bool *done, unsigned count) {
     word_list rest = {0};

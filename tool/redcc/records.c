@@ -51,8 +51,8 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* The function has no record, and the program may lack it: it is an inline definition, or a
- * function of no known source, all calls of which the compiler removes. */
+/* Does the function have no record, so that the program may lack it? It is an inline definition, or
+ * no known source defines it: then the compiler may remove all its calls. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)
                    : !project_definer(r->around, f->name, NULL);

@@ -251,9 +251,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
 }
 
 /**
- * Writes the analysed file, and checks it. A loop whose text is wrong is left unchanged, and the
- * others are written again. If only a report is wanted, there is no check, because parsing the
- * output costs as much as parsing the input.
+ * Writes the analysed file, and checks it. If loops have a wrong text, writes it again: these
+ * without lanes, or unchanged if they had none. If only a report is wanted, there is no check,
+ * because parsing the output costs as much as parsing the input.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
@@ -304,7 +304,7 @@ typedef struct analysed_file {
     header_uses headers; /* headers whose text replaces their #include directives */
 } analysed_file;
 
-/** What the analysis of a file depends on. */
+/** The inputs of a file's analysis. */
 typedef struct analysing {
     arena *memory;
     const options *options;
