@@ -13,8 +13,7 @@ typedef struct left_alone {
 } left_alone;
 
 typedef struct build_counts {
-    unsigned files; /**< translated, or analysed and left unchanged; a file compiled twice counts
-                     * twice */
+    unsigned files; /**< all that redcc-cc reports on; a file compiled twice counts twice */
     VECTOR(left_alone) left;                     /**< by reason, in order of appearance */
     unsigned transformed, refused[REASON_COUNT]; /**< loops */
 } build_counts;

@@ -116,8 +116,8 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
                     o->pure.items[i], where);
 }
 
-/** Refuses all loops of a file that may be another program for the compiler of the build than for
- *  clang, which was analysed. */
+/** Refuses all loops of a file that may be another program for the build's compiler than the one
+ * that clang's parser read. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
                                          const ir_unit *unit, bool knows_compiler,
                                          analysis_result analysed) {
