@@ -180,8 +180,8 @@ static bool skips_inner_iterations(const loop_plan *plan) {
     return false;
 }
 
-/** May the first iterations be executed in order and timed? Not with tiles, which the runtime uses
- *  without a trial, nor with sections, which give the results of another order. */
+/** May the first iterations be executed in order and timed? Not with tiles, which the runtime tries
+ * without a sample, nor with sections, which give the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call &&
            !loop->plan->execution.sections;

@@ -65,8 +65,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
-            /* The runtime recognises by its base that an extent has moved. One without a base gets
-             * the site's address, which never changes. */
+            /* A kept plan's range is relative to `first`, which may move between executions.
+             * Without a base it is relative to the site, which never moves. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
