@@ -116,8 +116,8 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Is a word parsed as an input no file? It is missing, which clang checks before it begins, or it
- * is the argument of an option that is not in the table. */
+/* Is a word that was parsed as an input no file? The input is missing, which clang checks first, or
+ * the word is the argument of an option that is not in the table. */
 static bool misses_input(const command *c) {
     for (unsigned i = 0; i < c->count; i++) {
         const char *word = c->items[i].text;
@@ -137,8 +137,8 @@ static const char *obstructing_option(const command *c) {
     return NULL;
 }
 
-/* Is the option for coverage? That counts executions of source lines; a translated text
- * has others. */
+/* Is the option for coverage? Coverage counts executions of source lines; a translated text has
+ * other lines. */
 static bool is_for_coverage(const char *word) {
     return strstr(word, "coverage") || strcmp(word, "-fprofile-arcs") == 0;
 }

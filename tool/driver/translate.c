@@ -202,9 +202,9 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? It
- * is if the translation has no parallel loops, but only records of its functions, because these
- * would describe functions compiled without the options. */
+/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? Yes
+ * if the translation has no parallel loops, but only records of its functions: these would describe
+ * functions compiled without the options. */
 static bool keeps_liberty(session *s, const translation *t) {
     const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
     return text && !strstr(text, "REDCC_OVER(redcc__");

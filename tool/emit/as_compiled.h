@@ -17,9 +17,9 @@
  */
 const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis);
 
-/** Write the text before and after such a form. It defines redcc__as_compiled, and undefines it
- *  again, if a compilation takes the same branches and has OpenMP on, or off, as this one. They
- *  write nothing unless has_branches. */
+/** Write the text before such a form, which defines redcc__as_compiled if a compilation takes the
+ * same branches and has OpenMP on, or off, as this one; and the text after it, which undefines it.
+ * Both are empty unless has_branches. */
 void begin_as_compiled(loop_text *loop, buffer *out);
 void end_as_compiled(const loop_text *loop, buffer *out);
 

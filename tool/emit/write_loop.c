@@ -34,8 +34,8 @@ static void write_execution(loop_text *loop, writer *out) {
     write_distributed_stores(loop, out);
 }
 
-/** Writes the parallel execution. It is inside the `if` under which the loop is known to iterate:
- *  otherwise its expressions may be invalid. */
+/** Writes the parallel execution, inside the `if` under which the loop is known to iterate:
+ * elsewhere its expressions may be invalid. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),

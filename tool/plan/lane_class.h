@@ -55,7 +55,7 @@ bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
 /** The same, but subscripts may differ between lanes. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
-/** Is the type double or float? They have vectors. */
+/** Is the type double or float? Only these have vectors. */
 bool lane_is_real(const ir_type *type);
 /** Is it safe to evaluate the expression where the program does not? */
 bool lane_is_safe(const lane_scope *l, const ir_node *node);

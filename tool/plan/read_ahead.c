@@ -244,7 +244,7 @@ static bool children_are_safe(const loop_facts *facts, const ir_node *node) {
     return true;
 }
 
-/** Is it safe to compute the address of the lvalue? That reads only its pointers and subscripts. */
+/** Is it safe to compute the lvalue's address? Only pointers and subscripts in it are read. */
 static bool address_is_safe(const loop_facts *facts, const ir_node *node) {
     const ir_node *first = ir_child(node, 0);
     switch (node->kind) {

@@ -19,10 +19,9 @@ typedef struct build_counts {
 } build_counts;
 
 /** Runs the redcc-cc of this installation with --redcc-report on each command of
- *  FOLDER/compile_commands.json that compiles a C file. It passes on the compiler's flags of `o`
- * and its options for loops or, if there are none, $REDCC_OPTS. Returns false if there is no
- * redcc-cc, the commands cannot be read, or processes cannot be started: *counts is then
- * incomplete. */
+ *  FOLDER/compile_commands.json that compiles a C file. Passes on the compiler's flags of `o` and
+ * its options for loops or, if there are none, $REDCC_OPTS. Returns false if there is no redcc-cc,
+ * the commands cannot be read, or processes cannot be started: *counts is then incomplete. */
 bool build_counts_take(arena *a, const options *o, build_counts *counts);
 
 #endif
