@@ -60,7 +60,7 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* redcc starts no child: this process handles a crash */
-    /* "known": if the source asks which compiler, translate_for_compiler follows */
+    /* "known": if the source tests which compiler it is, translate_for_compiler follows */
     words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
     if (t->predefined)
         words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));

@@ -89,7 +89,7 @@ static bool had_one_thread(const json_t *loop) {
 
 /* The number of threads of the run: the greatest that a loop reports. A loop whose last execution
  * was sequential reports one thread; then its expected speed-up, rounded up, is a lower bound.
- * Without either, two are assumed, unless a loop says that there was only one thread. */
+ * Without either, two are assumed, unless a loop reports that there was only one thread. */
 static json_int_t most_threads(const json_t *loops) {
     json_int_t most = 1;
     bool one = false;

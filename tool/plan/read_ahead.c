@@ -19,8 +19,8 @@
 typedef struct search {
     const loop_facts *facts;
     const ir_node *wanted;
-    const ir_variable *parameter; /* in a called function: any member behind this pointer is
-                                   * searched for, instead of `wanted` */
+    const ir_variable *parameter; /* in a called function: any member reached by this pointer is
+                                     searched for, instead of `wanted` */
     bool is_found;
     bool may_have_left; /* a jump may skip the following code */
 } search;
@@ -105,7 +105,7 @@ static void visit_address(search *s, const ir_node *object) {
     }
 }
 
-/** The pointer p of p->a.b; NULL: the node is no member behind a pointer. */
+/** The pointer p of p->a.b; NULL: the node is no member reached by a pointer. */
 static const ir_node *structure_of(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = ir_child(node, 0);
