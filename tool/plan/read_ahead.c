@@ -20,7 +20,7 @@ typedef struct search {
     const loop_facts *facts;
     const ir_node *wanted;
     const ir_variable *parameter; /* in a called function: any member reached by this pointer is
-                                     searched for, instead of `wanted` */
+                                   * searched for, instead of `wanted` */
     bool is_found;
     bool may_have_left; /* a jump may skip the following code */
 } search;
