@@ -12,10 +12,9 @@
  *
  * The body executes before its reads are compared with its writes. If the body may then fail
  * (unverified_uses.h), or leave results that a later execution does not replace (is_checked), the
- * inspector first records all reads and updated rows; each thread records those of an equal share
- * of the iterations. The overlap guard compares them, as for a plan. No iteration then reads what
- * another one writes: each has the sequential loop's values, whenever and however often it
- * executes.
+ * inspector first records all reads and updated rows. The overlap guard compares them, as for a
+ * plan. No iteration then reads what another one writes: each has the sequential loop's values,
+ * whenever and however often it executes.
  *
  * Before the guard nothing is stored to memory that the loop reads. So an address that depends on
  * no variable of the iteration is the same in all iterations: only the first one of a chunk records

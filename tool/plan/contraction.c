@@ -5,11 +5,10 @@
  * same bits, so neither may be contracted. Nor may an inspector compute other subscripts than its
  * executor.
  *
- * Usually it is enough to forbid contraction in the functions that contain loops and in the
- * generated text. It is not enough if a loop calls a function of the same file that contains a
- * contractible expression. Gcc may inline the callee into one form of the loop, where contraction
- * is forbidden, and call the contracted callee in another. Then contraction is forbidden in the
- * whole file; likewise if a function cannot get the attribute (may_have_attribute), if a loop has
+ * Usually contraction is forbidden in the functions that contain loops and in the generated text.
+ * It is forbidden in the whole file if a loop calls a function of the file with a contractible
+ * expression: gcc may inline the callee into one form of the loop, and call it, contracted, in
+ * another. Likewise if a function cannot get the attribute (may_have_attribute), if a loop has
  * lanes, if the file may name a target, or if a macro changes the pragma.
  */
 #include "plan/contraction.h"

@@ -66,7 +66,8 @@ lane_reason lane_effect_of(const ir_node *node);
 /** The type of an operator's result: double if an operand is, else float. NULL: neither operand is
  *  real, or one is neither real nor an integer. */
 const ir_type *lane_common(const ir_type *left, const ir_type *right);
-/** `d > 0 ? 1 : 0`: may the operands be converted before the selection? */
+/** `d > 0 ? 1 : 0`: may the operands be converted before the selection? Not if C first converts one
+ * to another integer type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node);
 
 #endif

@@ -173,8 +173,8 @@ static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     return true;
 }
 
-/** May an update statement assign the variable, or (is_element) a part of it? Only if the lane has
- * a private one: declared there, a varying scalar, a lane of a vector, or a loop counter. */
+/** May an update statement assign the variable, or (is_element) a part of it? Only if it is private
+ * to the lane, or a loop counter. */
 static bool may_be_assigned_in_update(lane_scope *l, const ir_variable *variable, bool is_element) {
     if (!variable || !lane_is_own(l, variable))
         return false;
@@ -191,8 +191,6 @@ static bool may_be_assigned_in_update(lane_scope *l, const ir_variable *variable
     }
 }
 
-/** In update statements each lane executes the user's text separately. It must not leave the
- *  statement, nor change data that is not private to the lane. */
 static bool check_update_node(ir_node *node, void *context) {
     lane_scope *l = context;
     bool other = false;
@@ -236,8 +234,6 @@ static bool may_change(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** Updates are deferred: no later statement may change an update's operands, or use a variable that
- *  the update statement changes. */
 void lane_check_order(lane_scope *l, const ir_node *body) {
     for (unsigned i = 0; i < l->plan->unit->variable_count; i++) {
         const ir_variable *variable = l->plan->unit->variables[i];

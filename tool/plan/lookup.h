@@ -29,8 +29,8 @@ const ir_node *body_increment(const loop_facts *facts);
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable);
 /** Does the loop only read the variable, which is declared outside of it? */
 bool is_captured(const loop_facts *facts, const ir_variable *variable);
-/** May each thread copy the variable, if it is captured? Only scalars and small structs, unless the
- * struct's address is taken or it may end in a flexible array. A copy can be kept in a register. */
+/** May each thread copy the captured variable, to keep it in a register? Only scalars, and small
+ * structs of a fixed size whose address is never taken. */
 bool is_copied_in(const ir_variable *variable);
 /** Is the counter declared outside of the loop, and live-out? */
 bool counter_outlives(const loop_facts *facts);

@@ -41,9 +41,9 @@ typedef struct execution_plan {
     unsigned key_count;         /* words of the key, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
     bool needs_every_iteration; /* an iteration may not be skipped, even if it updates nothing */
-    bool needs_whole;    /* no update is made before the guard has compared the accesses of all
-                          * iterations: an update may change a value that the executor reads before
-                          * the loop or keeps until its end */
+    bool needs_whole;    /* no update is made before the guard has compared all accesses: it may
+                          * change a value that the executor reads before the loop or keeps until
+                          * its end */
     bool may_begin;      /* the first iterations may be executed in order before the inspection, and
                           * the remaining ones as a separate loop */
     bool is_over_blocks; /* its inspection is short, even if its iterations are long */

@@ -100,7 +100,7 @@ static bool is_integer(const ir_type *type) {
 }
 
 /** Records an obstacle unless counter and bound are integers of at most 64 bits, the first value
- * can be converted to one, and the step is small. Iterations are counted in 64 bits. */
+ * can be converted to one, and the step is small. */
 static void check_counter(loop_plan *plan) {
     const counted_loop *counted = &plan->facts->counted;
     const ir_type *counter = counted->counter->type;
