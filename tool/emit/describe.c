@@ -172,7 +172,6 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-/** Do owner-checked iterations skip inner iterations? */
 static bool skips_inner_iterations(const loop_plan *plan) {
     for (unsigned i = 0; i < plan->skip_count; i++)
         if (!plan->skips[i].declined)

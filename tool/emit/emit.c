@@ -25,7 +25,6 @@ static bool has_crlf(const source *s) {
     return end && end > s->text && end[-1] == '\r';
 }
 
-/** The text at the head of the written file. */
 static const char *prelude(arena *a, const ir_unit *unit, contraction where,
                            const plan_options *options, bool has_lanes) {
     const char *vectors =

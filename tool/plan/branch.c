@@ -9,7 +9,6 @@
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/** Is the variable mentioned in `tree`, outside of `part`? */
 static bool is_mentioned_outside(const ir_node *tree, const ir_node *part,
                                  const ir_variable *variable) {
     if (tree == part)

@@ -108,7 +108,6 @@ bool may_name_targets(const ir_unit *unit) {
     return is_found;
 }
 
-/** Does a macro of the program replace a word of the pragma? */
 static bool has_macro_of_pragma(const ir_unit *unit) {
     static const char *const words[] = {"clang", "fp", "contract", "off"};
     for (size_t i = 0; unit->text.macros && i < sizeof words / sizeof *words; i++)

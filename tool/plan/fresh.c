@@ -78,7 +78,6 @@ static bool mentions(const place *p, const ir_node *node) {
 
 static finding find_in(const place *p, const ir_node *node);
 
-/** Classifies parts that are executed one after the other. */
 static finding in_sequence(const place *p, ir_node *const *parts, unsigned count) {
     for (unsigned i = 0; i < count; i++) {
         const finding found = find_in(p, parts[i]);

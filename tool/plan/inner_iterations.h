@@ -17,8 +17,8 @@
  * (inner_variables.h). So skipping the rest cannot be observed. The rows that the rest updates are
  * known before it. The rest may also add to variables that are read only by updates outside of the
  * inner loop, as in `p += e; ... f[i] += p;`: then a thread that skips the rest must not own the
- * rows of those updates either. If the rest adds to series, or calls functions that may set errno,
- * one thread leads in each iteration and skips nothing.
+ * rows of those updates either. If the rest adds to series, or may set errno, one thread leads in
+ * each iteration and skips nothing.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Classes of an iteration's variables when several iterations are executed at once. The class of an
- * expression follows from those of its variables. All lanes execute the same iterations of inner
- * loops; an `if` may concern some lanes only. Updates are executed lane by lane.
+ * expression follows from those of its variables. Inner loops are the same for all lanes; an `if`
+ * may concern some lanes only. Updates are executed lane by lane.
  *
  * An integer or pointer is uniform if all values assigned to it are uniform, and all lanes execute
  * all its assignments. Update statements may assign it only as a loop's counter. Classes are

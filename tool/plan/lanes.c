@@ -57,8 +57,8 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** The variable that this node declares, or assigns or steps wholly, in part or through a pointer;
- *  NULL: none. Sets *other if the target is not the variable as a whole. */
+/** The variable that this node declares, assigns or steps; NULL: none. Sets *other if only a part
+ * of it, or the target of a pointer, is assigned. */
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
         return node->variable;
@@ -165,7 +165,6 @@ static void check_update(lane_scope *l, const ir_node *statement) {
         lane_problem(l, NO_LANES_UPDATE, statement);
 }
 
-/** Does the jump leave the update statement around it? */
 static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     for (const ir_node *at = jump->parent; at && at != updating->parent; at = at->parent)
         if (ir_is_loop(at))

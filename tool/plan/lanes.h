@@ -43,7 +43,7 @@ void lane_check_worth(lane_scope *l);
 /** An update statement is executed once for each lane. Records a problem if a jump leaves it, or if
  * it changes anything but the element and variables private to the lane. */
 void lane_check_updates(lane_scope *l, const ir_node *statement);
-/** Records a problem if a later statement of the block, which precedes deferred updates, changes an
+/** Updates are deferred. Records a problem if a later statement of the block changes an
  * update's operands, or uses a variable that the update statement changes. */
 void lane_check_order(lane_scope *l, const ir_node *block);
 /** Records a problem if the value cannot become an integer or a pointer per lane. */

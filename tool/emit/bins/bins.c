@@ -25,7 +25,6 @@ static bool is_floating(value_kind kind) {
     return kind == VALUE_FLOAT || kind == VALUE_DOUBLE;
 }
 
-/** The type of an array's rows. */
 static const char *row_type(loop_text *loop, unsigned array) {
     const ir_type *element = loop->facts->arrays[array].element;
     const char *type = origin_type(loop->arena, element);
@@ -428,7 +427,6 @@ void write_streams(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
-/** Are the updates of all streams exact in any order? */
 static bool are_all_exact(const loop_text *loop) {
     for (unsigned i = 0; i < bins_stream_count(loop); i++)
         if (!is_exact(loop, &loop->bins->streams[i]))

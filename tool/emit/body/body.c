@@ -329,7 +329,6 @@ static void check_owners(body_copy *copy) {
 
 /* ---- the copy ------------------------------------------------------------------------------ */
 
-/** The statement printed from the IR, on one line. */
 static const char *printed_text(body_copy *copy, const ir_node *statement) {
     writer line = {.on_one_line = true};
     copy->printer.out = &line;
