@@ -133,7 +133,7 @@ static bool find_compiler(session *s, struct cache *c) {
 bool answerers_add_assembler(session *s, digester *d) {
     static const char *const ask[] = {"-print-prog-name=as", NULL};
     const struct cache *c = s->cache;
-    if (s->real.is_clang) /* clang has an assembler of its own */
+    if (s->real.is_clang) /* its assembler is built in */
         return true;
     const char *name = ask_compiler(s, &c->kept, &c->compiler, ask);
     return name && identity_add_program(s->memory, &c->kept, d,

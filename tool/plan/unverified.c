@@ -31,7 +31,6 @@ static bool depends_on_guarded(const unverified_reads *s, const ir_node *path, b
            depends_on_guarded(s, path->children[0], false);
 }
 
-/** Is the path the row, or a part of the row? */
 static bool is_of_row(const ir_node *path, const ir_node *row) {
     while (!syntax_same(path, row)) {
         if (path->child_count == 0 || path->kind == IR_CALL)
@@ -142,7 +141,6 @@ static bool variable_is_unverified(const unverified_reads *s, const ir_node *nod
     return s->in_callee ? callee_may_read_unverified(s, node->type) : may_read_unverified(s, node);
 }
 
-/** Does the object's address depend on an unverified value? */
 static bool unverified_address(const unverified_reads *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;
