@@ -16,6 +16,7 @@
 #include "analysis/loop/own.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/loop/type_changes.h"
 
 enum { MOST_OWN = 16 };
 
@@ -149,6 +150,13 @@ static bool is_other_part(const loop_analysis *j, const loop_access *other,
            !expression_same(lvalue, element) && expression_same(row_of(lvalue), row_of(element));
 }
 
+/* The same as access_reads_first, also for elements that own_take lists only later. */
+static bool reads_first(const loop_analysis *j, const loop_access *other) {
+    return own_is_element(j, other->access.lvalue) && is_of(other, other->access.lvalue)
+               ? first_use_of(j, other->access.lvalue) == FIRST_READ
+               : access_reads_first(j, other);
+}
+
 /* The overlap of the other access with the elements of other iterations. */
 static overlap overlap_between(const loop_analysis *j, const loop_access *other,
                                const ir_node *element, const location *where, first_use first) {
@@ -156,9 +164,9 @@ static overlap overlap_between(const loop_analysis *j, const loop_access *other,
         return other->access.kind == ACCESS_READ ? OVERLAP_MAYBE : OVERLAP_SAME;
     if (is_other_part(j, other, element))
         return OVERLAP_NO;
-    return other->access.kind == ACCESS_READ && first == FIRST_STORED
-               ? locations_overlap_store(&j->an->rules, &other->where, where)
-               : locations_overlap(&j->an->rules, &other->where, where);
+    return first == FIRST_READ && reads_first(j, other)
+               ? locations_overlap(&j->an->rules, &other->where, where)
+               : locations_overlap_store(&j->an->rules, &other->where, where);
 }
 
 static bool may_be_own(const loop_analysis *j, const ir_node *element, own_element *item) {
@@ -247,7 +255,7 @@ bool own_check(loop_analysis *j) {
                 (other->access.lvalue && is_other_part(j, other, j->own.items[i].element)))
                 continue;
             if (!other->access.lvalue ||
-                locations_overlap(&j->an->rules, &other->where, &where) != OVERLAP_NO)
+                locations_overlap_store(&j->an->rules, &other->where, &where) != OVERLAP_NO)
                 return analysis_refuse(j, REASON_OTHER_STORE, j->own.items[i].element,
                                        analysis_name(j, j->own.items[i].element));
         }
