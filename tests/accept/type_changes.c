@@ -50,7 +50,7 @@ static int sum_and_own(int n, double *restrict to, int *restrict mark, int *sum,
 static void two_own(int n, double *restrict to, int *mark, float *e) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int before = mark[t];
-        e[t] = y[t];
+        e[t] = 0.25f * (float)x[t];
         if (x[t] > 2)
             mark[t] = before + 1;
         to[k[t]] += before;

@@ -7,7 +7,8 @@
  *   that the program would not do. It also has this type before the loop begins: no store of the
  *   loop lies between, so other iterations cannot read it as another type (C17 6.5p7). Or each
  *   iteration stores to it, before it reads it: then nothing is read at the beginning, and types
- *   distinguish only declared objects (6.5p6);
+ *   distinguish only declared objects (6.5p6), also from sums and other own elements, which are
+ *   stored late, too;
  * - all other memory that the loop reads is disjoint from it, by proof or by a comparison before
  *   anything is written, and all else that it writes is an update, with which all reads are
  *   compared. So no iteration sees that the store is made later;
