@@ -53,7 +53,6 @@ typedef struct loop_array {
     reduction_array array;
     location where; /* of its first update */
     const ir_node *first;
-    bool is_irregular;
 } loop_array;
 
 typedef VECTOR(loop_array) array_list;
