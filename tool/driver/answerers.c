@@ -55,8 +55,8 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* The compiler's output for these options, which depends on no source; `of_whom` identifies the
- * compiler. NULL: it fails. */
+/* The compiler's output for these options, kept under `of_whom`, the compiler's identity: no source
+ * may affect it. NULL: the compiler fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;
@@ -133,7 +133,7 @@ static bool find_compiler(session *s, struct cache *c) {
 bool answerers_add_assembler(session *s, digester *d) {
     static const char *const ask[] = {"-print-prog-name=as", NULL};
     const struct cache *c = s->cache;
-    if (s->real.is_clang) /* clang has an assembler of its own */
+    if (s->real.is_clang) /* its assembler is built in */
         return true;
     const char *name = ask_compiler(s, &c->kept, &c->compiler, ask);
     return name && identity_add_program(s->memory, &c->kept, d,

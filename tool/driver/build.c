@@ -40,7 +40,7 @@ static void show_attempt(const session *s, const attempt *made) {
     file_show(made->error, stderr);
 }
 
-/* A signal to this process, or one that ended the compiler, ends the build without another
+/* A signal to this process, or SIGINT or SIGTERM to the compiler, ends the build without another
  * attempt. */
 static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
@@ -85,7 +85,8 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
     words_add(a, list, "-Wl,--pop-state");
 }
 
-/* Runs the original command; a link gets the runtime, and is repeated without it if that fails. */
+/* Runs the original command; a link of loops gets the runtime, and is repeated without it on
+ * failure. */
 static _Noreturn void build_original(session *s) {
     if (!build_can_add_runtime(s) || !loops_are_linked(s))
         session_become_compiler(s);
@@ -284,7 +285,7 @@ static const char *object_of(session *s, const translation *t) {
     return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
-/* -c or -S of several sources: compiles each translated text separately, the others together. */
+/* Ends -c or -S of several sources: compiles together those whose translated texts are not used. */
 static _Noreturn void build_separately(session *s, const translation *translations,
                                        const bool *done, unsigned count) {
     word_list rest = {0};
@@ -380,8 +381,7 @@ _Noreturn void build(session *s, const translation *translations, unsigned count
     if (translated == 0)
         build_original(s);
     /* Compiling and linking are two calls, to distinguish the linker's messages from the
-     * compiler's. They are one call if an option asks for files that are named after the program.
-     */
+     * compiler's. They are one call if an option asks for files named after the program. */
     if (s->command.compiled == 1 && (!s->command.links || s->command.meaning & OPTION_AUXILIARY))
         build_one(s, &translations[0]);
     build_several(s, translations, count);

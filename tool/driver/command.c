@@ -89,7 +89,7 @@ static item read_option(const word_list *words, unsigned *next) {
         return i;
     bool takes_next = (found->meaning & OPTION_ARGUMENT) && strcmp(i.text, found->name) == 0;
     if (takes_next && *next >= words->count) {
-        /* the argument is missing: a word that redcc-cc adds would become it */
+        /* the argument is missing: a word that redcc-cc adds would take its place */
         i.meaning = found->meaning | OPTION_GIVE_UP | OPTION_NO_RUNTIME;
         return i;
     }

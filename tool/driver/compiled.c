@@ -73,8 +73,7 @@ static bool may_be_kept(const session *s, const translation *t) {
     return true;
 }
 
-/* May the driver write the file itself? It leaves a device, and what a link leads to, to the
- * compiler. */
+/* May the driver write the file itself? It leaves devices and targets of links to the compiler. */
 static bool is_plain_output(const char *path) {
     struct stat about;
     return path && (lstat(path, &about) != 0 || S_ISREG(about.st_mode));
@@ -104,8 +103,8 @@ static bool has_debugging_information(const command *c) {
     return false;
 }
 
-/* What an object depends on besides the sources and the command: debugging information names the
- * folder, by $PWD if that is another name of it. False: it is unknown. */
+/* Other things that an object depends on: the assembler and, with debugging information, the folder
+ * and its name in $PWD. False: they are unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();

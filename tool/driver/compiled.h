@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the compiler makes of a translated source: from the cache (cache.h) if it has made the same
- *  before, so that a repeated build does not compile the longer text again. */
+/** Compiles a translated source, or takes the object from the cache (cache.h), so that a repeated
+ * build does not compile the longer text again. */
 #ifndef DRIVER_COMPILED_H
 #define DRIVER_COMPILED_H
 

@@ -103,8 +103,8 @@ static void take_default(arena *a, const char *self, const char *called, compile
             return;
 }
 
-/* Does the compiler of this name compile for another machine? "x86_64-linux-gnu-gcc-12" does so for
- * x86_64, "gcc-12" for this machine. */
+/* Does the compiler of this name compile for another machine? "x86_64-linux-gnu-gcc-12" compiles
+ * for x86_64, "gcc-12" for this machine. */
 static bool is_for_another_machine(const char *base) {
     struct utsname host;
     const char *dash = strchr(base, '-');

@@ -9,7 +9,7 @@
  *  given by short names are searched in the folders that the command names. */
 bool loops_are_linked(session *s);
 
-/** Does this file contain such loops? */
+/** Does this file contain loops for which this link must add a runtime? */
 bool has_loops(session *s, const char *path);
 
 #endif

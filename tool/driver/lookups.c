@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A record lists folders. For each it has the path and what the folder was; the number of names
- * that were missing in it, and these names; the number of files that were found in it, and for each
- * its name and what it was. Numbers have 64 bits; texts end with a zero byte.
+ * A record: the number of folders, and each folder's path and identity; the number of names that
+ * were missing in it, and these names; the number of files found in it, and their names and
+ * identities. Numbers have 64 bits; texts end with a zero byte.
  */
 #include "driver/lookups.h"
 
@@ -20,7 +20,8 @@
 /* A file that changed this recently may change again without a new time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
-/* What a path was: of a folder only the first three count, except where names are missing in it. */
+/* The identity of a path. Of a folder that was found, only the first three numbers are compared; of
+ * one in which names were missing, all. */
 enum { KIND, DEVICE, INODE, SIZE, MODIFIED, MODIFIED_PART, CHANGED, CHANGED_PART, NUMBERS };
 enum { KIND_NOTHING, KIND_FILE, KIND_FOLDER };
 
@@ -92,7 +93,7 @@ void lookups_note(lookups *l, const char *path, const struct stat *about) {
     struct stat link;
     looked_folder *folder = folder_of(l, path, &name);
     if (!about) {
-        /* a link may lead to what another folder will have */
+        /* a dangling link may later lead to a file in another folder */
         l->is_spoilt |= !*name || lstat(path, &link) == 0;
         VECTOR_PUSH(l->memory, &folder->missing, name);
         return;

@@ -321,9 +321,9 @@ static void note_calls(project *p, map *seen, const project_function *function) 
     }
 }
 
-/* Records the functions that are called, directly or not, from functions with loops. Calls of
- * static functions are not followed: in a file with a loop, each static function counts as one with
- * a loop. */
+/* Records the functions that are called, directly or not, from functions with loops in other files.
+ * Calls of static functions are not followed: in a file with a loop, each static function counts as
+ * one with a loop. */
 static void note_called(project *p) {
     p->called = map_new(p->memory);
     for (unsigned i = 0; i < p->files.count; i++) {

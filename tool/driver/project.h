@@ -18,7 +18,7 @@
 typedef struct project_function {
     const char *name;
     bool is_static;
-    bool has_loop; /* it contains an update, or an assignment through a subscript */
+    bool has_loop; /* it contains a loop, and an update or an assignment to an element */
     VECTOR(const char *) calls;
 } project_function;
 
@@ -58,8 +58,8 @@ project *project_around(arena *a, const char *path);
  *  own folder, else the first. NULL: there is none. */
 const char *project_definer(const project *p, const char *name, const char *header);
 
-/** A digest of everything on which queries about the source's functions depend: all bytes of the
- * files that define their direct and indirect callees, and which of the functions loops call. */
+/** A digest of all that queries about the source's functions depend on: the bytes of files that
+ * define their direct and indirect callees, and which of the functions loops call. */
 digest project_digest(const project *p);
 
 /** Does a function with a loop, in another file than the source itself, call this function,

@@ -107,8 +107,8 @@ static bool reads_input(const command *c) {
     return false;
 }
 
-/* Is the output an input? The compiler refuses to overwrite its input, but would not know that a
- * translated text stands for it. */
+/* Is the output an input? The compiler refuses to overwrite its input, but that would be the
+ * translated text. */
 static bool would_write_over_input(const command *c) {
     for (unsigned i = 0; c->output && i < c->count; i++)
         if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))
@@ -116,8 +116,8 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Is a word parsed as an input no file? It is missing, which clang checks before it begins, or it
- * is the argument of an option that is not in the table. */
+/* Is a word that was parsed as an input no file? The input is missing, which clang checks first, or
+ * the word is the argument of an option that is not in the table. */
 static bool misses_input(const command *c) {
     for (unsigned i = 0; i < c->count; i++) {
         const char *word = c->items[i].text;
@@ -137,8 +137,8 @@ static const char *obstructing_option(const command *c) {
     return NULL;
 }
 
-/* Is the option for coverage? That counts executions of source lines; a translated text
- * has others. */
+/* Is the option for coverage? Coverage counts executions of source lines; a translated text has
+ * other lines. */
 static bool is_for_coverage(const char *word) {
     return strstr(word, "coverage") || strcmp(word, "-fprofile-arcs") == 0;
 }

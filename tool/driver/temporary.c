@@ -100,8 +100,7 @@ shared_folder temporary_share(arena *a, uint64_t key) {
 }
 
 void temporary_leave(shared_folder folder) {
-    /* non-blocking: of two processes that leave at once, one gets the lock and removes the folder
-     */
+    /* non-blocking: if two processes leave at once, one gets the lock and removes the folder */
     if (flock(folder.lock, LOCK_EX | LOCK_NB) == 0)
         temporary_remove(folder.path);
     close(folder.lock);

@@ -40,8 +40,8 @@ static bool wants_remarks(const session *s) {
 }
 
 /* May the translator use functions of other files? Not with link-time optimisation: the linker may
- * inline such a function into one form of a loop and contract it there, but the function's record
- * describes how its own object was compiled. */
+ * inline such a function into one form of a loop and contract it there. The function's record
+ * describes only how its own object was compiled. */
 static bool sees_project(const session *s) {
     for (unsigned i = 0; i < s->command.count; i++)
         if (strncmp(s->command.items[i].text, "-flto", 5) == 0)
@@ -60,7 +60,7 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* redcc starts no child: this process handles a crash */
-    /* "known": if the source asks which compiler, translate_for_compiler follows */
+    /* "known": if the source tests which compiler it is, translate_for_compiler follows */
     words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
     if (t->predefined)
         words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));
@@ -152,7 +152,7 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* The result of searching the source and its headers, which may be NULL and is cached with them:
+/* The result of searching the source and its headers; NULL: nothing found. It is cached with them:
  * searching again would take longer than all other work for a cached translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {
@@ -190,8 +190,7 @@ bool translation_assembles_file(session *s, const translation *t) {
 }
 
 /* A header that the compiler may read in precompiled form; NULL: there is none. Such a form is
- * valid only for the options it was made with: gcc 12 crashes if OpenMP was off when it was made.
- */
+ * valid only for the options it was made with: gcc 12 crashes if OpenMP was off then. */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
     for (unsigned i = 0; i < t->read.count; i++)
@@ -203,9 +202,9 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? It
- * is if the translation has no parallel loops, but only records of its functions, because these
- * would describe functions compiled without the options. */
+/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? Yes
+ * if the translation has no parallel loops, but only records of its functions: these would describe
+ * functions compiled without the options. */
 static bool keeps_liberty(session *s, const translation *t) {
     const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
     return text && !strstr(text, "REDCC_OVER(redcc__");

@@ -32,9 +32,9 @@ bool translation_assembles_file(session *s, const translation *t);
  * for the text as for the source. */
 bool translation_read_same(session *s, const translation *t);
 
-/** Stores the results of the translation that the user asked for: appends its report to the build's
- *  report, and keeps its text ($REDCC_KEEP). `used`: the text was used; else `messages`, a file of
- *  compiler messages, is kept as the reason. */
+/** Appends the translation's report to the build's report, if the text was used or there is none,
+ * and keeps the text ($REDCC_KEEP). `used`: the text was used; else `messages`, a file of compiler
+ *  messages, is kept as the reason. */
 void translation_keep(session *s, const translation *t, bool used, const char *messages);
 
 #endif

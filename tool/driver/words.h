@@ -22,8 +22,8 @@ char **words_argv(arena *a, const word_list *list);
  *  as in a shell. */
 void words_split(arena *a, const char *text, word_list *list);
 
-/** Adds `count` words, each @FILE replaced by the file's words, as gcc does: a backslash quotes the
- *  next character even in single quotes, and an @FILE that cannot be read is kept. Returns whether
+/** Adds `count` words, each @FILE replaced by the file's words. As in gcc, a backslash quotes the
+ * next character even in single quotes, and an @FILE that cannot be read is kept. Returns whether
  * any was replaced. */
 bool words_expand(arena *a, unsigned count, char *const *given, word_list *list);
 

@@ -66,8 +66,8 @@ static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32
 }
 
 /** Copies a directive so that it has the line number of the original, since its condition may use
- *  __LINE__, perhaps through a macro. An #if gets a #line directive. Those that follow in its group
- *  cannot: in a skipped branch a #line has no effect. They get the line ends since `before`, the
+ *  __LINE__, perhaps through a macro. An #if gets a #line directive. Later directives of its group
+ * cannot: in a skipped branch a #line has no effect. They get the line ends since `before`, the
  *  directive copied last. */
 static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
                            const ir_directive *before) {
@@ -106,7 +106,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
     const ir_range text = compiled_range(loop);
     assert(text.begin <= text.end && text.end <= whole->source->length);
     unsigned depth = 0,
-             left_out = 0;  /* open groups that are copied; open groups in skipped branches */
+             left_out = 0;  /* open groups that are copied, and those in skipped branches */
     bool is_decided = true; /* the current group's compiled branch has begun */
     const ir_directive *before = NULL;
     const bool depends =

@@ -24,8 +24,8 @@ static const char *type_of(loop_text *loop, const counted_loop *counted) {
 /* ---- how many ----------------------------------------------------------------------------------
  */
 
-/** Bounds and trip count, with names that begin with `of`. If `guard` is not true, the bounds are
- *  not evaluated. */
+/** Writes bounds and trip count, with names that begin with `of`. `guard`: the condition under
+ * which the bounds may be evaluated; NULL: always. */
 static void write_trip(loop_text *loop, writer *out, const counted_loop *counted, const char *of,
                        const char *guard) {
     const bool ascends = counted->step > 0;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The iterations of a fixed block (emit/blocks.h): of a loop, and of the inner loop of a nest
- * below `collapse`. Then blocks are a table: each has a part of the outer loop and one of the
- * inner. */
+/** Writes which iterations a fixed block (emit/blocks.h) executes: a range of the loop's iterations
+ * or, with `collapse`, a range of the outer loop combined with one of the inner loop. */
 #ifndef EMIT_BLOCK_RANGES_H
 #define EMIT_BLOCK_RANGES_H
 
@@ -20,7 +19,7 @@ void write_ranges(loop_text *loop, writer *out);
 /** Writes the header of the loop over a block's iterations. */
 void write_header(loop_text *loop, writer *out);
 
-/** The text in place of the inner loop's header; its text is NULL if blocks do not divide it. */
+/** The piece that replaces the inner loop's header; its text is NULL without `collapse`. */
 loop_piece inner_header(loop_text *loop);
 
 #endif

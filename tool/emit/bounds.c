@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The extent of a table of which a function reads elements between bounds. The table's address and
- *  the bounds are read before the loop, by loads that cannot fault, because the program may not
- * read them at all. */
+/** Writes the extent of a table whose elements between bounds a called function reads. The table's
+ * address and the bounds are read before the loop, by loads that cannot fault, because the program
+ * may not read them at all. */
 #include "analysis/base/expression.h"
 
 #include "emit/base/names.h"
@@ -16,12 +16,12 @@ bool reads_by_system(const loop_text *loop) {
     return loop->facts->variables.loads != NULL;
 }
 
-/** The reads that such an extent needs, in the order in which they are written. */
+/** The reads that one extent needs, in the order in which they are written. */
 typedef struct bounds_text {
     loop_text *loop;
     writer *out;
     unsigned source, count;
-    const char *all; /* the condition that all of them could be made */
+    const char *all; /* the condition that makes the reads: true if all succeed */
     VECTOR(const ir_node *) loads;
 } bounds_text;
 
@@ -49,7 +49,8 @@ static const char *loaded_type(const ir_type *type) {
     }
 }
 
-/** The name of the variable that contains the node's value, read before the loop; adds the read. */
+/** The name of the variable that contains the node's value, read before the loop; writes the read
+ * if it is new. */
 static const char *load_text(bounds_text *self, const ir_node *node) {
     arena *a = self->loop->arena;
     for (unsigned i = 0; i < self->loads.count; i++)

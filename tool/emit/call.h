@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the runtime gets for one execution: the trip count, the arrays, the reads. */
+/** Writes what the runtime gets for one execution: trip count, arrays, key, and reads. */
 #ifndef EMIT_CALL_H
 #define EMIT_CALL_H
 

@@ -27,7 +27,6 @@ const char *passed_argument(loop_text *loop, const ir_variable *variable) {
                                       : origin_variable(loop->arena, variable);
 }
 
-/** The name of the context's member for the variable. */
 static const char *member_name(loop_text *loop, const ir_variable *variable) {
     return is_pointed(loop, variable) ? pointer_name(loop, variable) : variable->name;
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The context: a struct that passes a function's values to the functions that are written before
- * it. Each thread
- * copies them into variables of the same names.
+ * The context: a struct by which the user's function passes values to the functions that are
+ * written before it. Each thread copies them into variables of the same names.
  */
 #ifndef EMIT_CONTEXT_H
 #define EMIT_CONTEXT_H

@@ -9,8 +9,8 @@
 /** Is it such a loop? */
 bool has_crew(const loop_text *loop);
 
-/** At the beginning of the loop's block: opens a block into which only the first thread goes, or
- * all if the loop is executed as it is written. */
+/** At the beginning of the loop's block: opens a block that only the first thread enters, while the
+ * others help; all threads enter it if the loop is executed as it is written. */
 void write_meeting(loop_text *loop, writer *out);
 
 /** At the end of the loop's block: closes the block that write_meeting opened. */

@@ -172,7 +172,6 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-/** Do owner-checked iterations skip inner iterations? */
 static bool skips_inner_iterations(const loop_plan *plan) {
     for (unsigned i = 0; i < plan->skip_count; i++)
         if (!plan->skips[i].declined)
@@ -180,8 +179,8 @@ static bool skips_inner_iterations(const loop_plan *plan) {
     return false;
 }
 
-/** May the first iterations be executed in order and timed? Not with tiles, which the runtime uses
- *  without a trial, nor with sections, whose order of results is another one. */
+/** May the first iterations be executed in order and timed? Not with tiles, which the runtime tries
+ * without a sample, nor with sections, which give the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call &&
            !loop->plan->execution.sections;
@@ -222,8 +221,8 @@ static const char *flags_text(loop_text *loop) {
     return text ? text : "0";
 }
 
-/** The object contains the file's name as __FILE__, because compilers map it as their options say:
- * so packages built in different folders are identical. */
+/** The object has the file's name as __FILE__: options of the compiler can map that name, so that
+ * packages built in different folders are identical. */
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};

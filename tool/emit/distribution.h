@@ -5,7 +5,7 @@
 
 #include "emit/base/loop.h"
 
-/** After the loop, if it has run in parallel: makes the deferred stores. */
+/** Writes, after the loop, a loop that makes the deferred stores if the parallel form has run. */
 void write_distributed_stores(loop_text *loop, writer *out);
 
 #endif

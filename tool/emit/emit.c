@@ -19,13 +19,12 @@ static const char byte_order_mark[] = "\xef\xbb\xbf";
 /** The prefix of names that the generated text declares. */
 static const char reserved_prefix[] = "redcc__";
 
-/** The file's line ends are CR LF if its first line's is. */
+/** Does the first line end with CR LF? Then so does each written line. */
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
 }
 
-/** The text at the head of the written file. */
 static const char *prelude(arena *a, const ir_unit *unit, contraction where,
                            const plan_options *options, bool has_lanes) {
     const char *vectors =
@@ -111,7 +110,7 @@ static bool names_function(const ir_unit *unit, const ir_declared *declared) {
     return false;
 }
 
-/** Is the name declared outside of all functions, before `place`? */
+/** Is the name declared before `place` outside of all functions, or in a header, or built in? */
 static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32_t place) {
     if (!declared)
         return false;
@@ -121,7 +120,7 @@ static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32
         const ir_function *function = unit->functions[i];
         const uint32_t end = function->body ? function->body->range.end : function->range.end;
         if (!function->body && names_function(unit, declared))
-            continue; /* `int f(void), g(void);` */
+            continue; /* g of `int f(void), g(void);` */
         if (function->is_in_main_file && function->declared != declared &&
             declared->offset >= function->range.begin && declared->offset < end)
             return false;
@@ -235,8 +234,8 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** Adds, directly before each function with a loop of is_unfused, the text that turns
- * contraction off in the function. */
+/** Adds, directly before each function with a loop for which is_unfused is set, the text that turns
+ * contraction off in it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;
@@ -283,8 +282,8 @@ static void join(arena *a, const ir_unit *unit, contraction where, const plan_op
     buffer_free(&out);
 }
 
-/** Asserts that the pieces are disjoint and in the order of the file, that each is of a verdict to
- * be written, and that the origins of each lie in its text. */
+/** Asserts that the pieces are disjoint and in the order of the file, that each belongs to a
+ * verdict to be written, and that its origins lie in its text. */
 static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
                           const loop_list *loops) {
     (void)unit, (void)analysis;
@@ -326,7 +325,7 @@ typedef struct file_text {
     const char *obstacle; /* the reason why no loop is written; NULL: none */
 } file_text;
 
-/** Writes the file's loops, with lanes if `has_lanes` and possible. Does any loop have lanes? */
+/** Writes the file's loops, with lanes if `has_lanes` and possible. True: some loop has lanes. */
 static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfused,
                         loop_list *loops) {
     bool are_written = false;
@@ -353,7 +352,7 @@ static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfus
     return are_written;
 }
 
-/** May loops of the file have lanes, according to the plans? */
+/** May loops of the file have lanes, according to the plans? Sets lanes to the plans' reasons. */
 static bool may_have_lanes(const file_text *f) {
     bool may = false;
     for (unsigned i = 0; i < f->analysis->verdict_count; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Verdicts to output text: the user's file with each loop that is to run in parallel replaced by a
- * block that contains both forms of it. docs/generated-code.md shows one whole.
+ * Verdicts to output text: the user's file, in which a block with the parallel and the original
+ * form replaces each transformed loop. docs/generated-code.md shows a complete one.
  */
 #ifndef EMIT_EMIT_H
 #define EMIT_EMIT_H
@@ -20,9 +20,8 @@
 /** A piece of text of a written loop. It replaces the loop or a part of it, or is inserted
  * before or into the loop's function. */
 typedef struct written_loop {
-    unsigned verdict; /* the number of the loop's verdict */
-    bool
-        has_lanes; /* a form for several iterations at once, without which it can be written, too */
+    unsigned verdict;    /* the number of the loop's verdict */
+    bool has_lanes;      /* has the optional form for several iterations at once */
     ir_range replaced;   /* bytes of the input */
     uint32_t begin, end; /* bytes of the result that replace them */
     const char *text;    /* those bytes */

@@ -15,7 +15,8 @@ bool has_affine_extents(const loop_text *loop) {
     return false;
 }
 
-/** Is there an extent whose computation may overflow (is_checked), or one whose cannot? */
+/** Is there an affine extent that is computed without checks, or (is_checked) any extent with
+ * checks? */
 static bool has_extents(const loop_text *loop, bool is_checked) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
         if ((is_checked && loop->plan->sources[i].fact->extent == EXTENT_BOUNDED) ||
@@ -29,7 +30,6 @@ static bool is_address(const ir_type *type) {
     return type->kind == IR_POINTER || type->kind == IR_ARRAY;
 }
 
-/** The context of `wrap`. */
 typedef struct wrap_context {
     arena *arena;
 } wrap_context;
@@ -65,8 +65,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
-            /* The runtime recognises by its base that an extent has moved. One without a base gets
-             * the site's address, which never changes. */
+            /* A kept plan's range is relative to `first`, which may move between executions.
+             * Without a base it is relative to the site, which never moves. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
@@ -171,7 +171,7 @@ static const char *exact_address(loop_text *loop, const row_address *address, co
     return sum;
 }
 
-/** Narrows the range of the counter to iterations that satisfy the limit, under which they read. */
+/** Narrows the range of the counter to iterations that satisfy the limit: only they read. */
 static void write_limit(loop_text *loop, writer *out, const counter_limit *limit) {
     exact_text self = {loop, NULL};
     const char *bound = fixed_number(&self, limit->bound);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Macros and names of the program that would change generated text. */
+/** Checks generated text for words that are macros of the program. */
 #ifndef EMIT_MACRO_NAMES_H
 #define EMIT_MACRO_NAMES_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Slice and body of a loop as functions before the user's function; redcc/loop.h has the code
- * around them. Compilers inline both at each of their uses. */
+/** Writes slice and body of a loop as functions before the user's function; redcc/loop.h has the
+ * code around them. Compilers inline both at each use, except in a loop with lanes. */
 #include "emit/outline.h"
 
 #include <string.h>
@@ -102,7 +102,7 @@ static void add_extra(const extra_value *value, void *context) {
     buffer_format(&h->arguments, ", %s", value->name);
 }
 
-/** Keeps a generated text, in which names are searched for when the context is written. */
+/** Keeps a generated text: the context passes the values whose names occur in it. */
 static void remember_text(loop_text *loop, const char *text) {
     loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
@@ -173,7 +173,7 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
 }
 
 /** Writes a slice that logs only the reads, for executions that append records: it does not compute
- *  the subscripts of updates. NULL: the inspector's slice is used. */
+ * the subscripts of updates. NULL: none is written. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;

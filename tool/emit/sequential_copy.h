@@ -15,7 +15,7 @@ const char *replaced_condition(loop_text *loop);
 /** The expression of a clause, with marks on its names (origin.h). */
 const char *clause_expression(const loop_text *loop, const char *whole);
 
-/** Sets how many threads a clause asks for. */
+/** Writes the number of threads that the directive's clauses ask for, if any. */
 void write_team(loop_text *loop, writer *out);
 
 /** Writes, after an `else`: `if (redcc__replaces) {` the loop without its directives `} else`. */

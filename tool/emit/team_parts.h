@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Storage, shared by a team, for the partial results of the blocks of an `omp for`
  * (emit/blocks.c). It is in the frame of the function that contains the parallel region. If that is
- * impossible, one thread has it in its frame and gives the others its address, which takes two
- * barriers more. The thread that ends the last block combines the results. */
+ * impossible, one thread has it in its frame and gives the others its address, which takes two more
+ * barriers. The thread that ends the last block combines the results. */
 #ifndef EMIT_TEAM_PARTS_H
 #define EMIT_TEAM_PARTS_H
 

@@ -4,11 +4,10 @@
  *
  * The counter takes the values lower, lower + step, ... while (counter <comparison> bound) holds,
  * in the type that C's usual conversions give the comparison. Everything is computed in redcc_int
- * (64 bits, signed). In some cases the original loop runs, because the count is set to 0 or a
- * condition on the counter's final value fails: if the loop wraps around, never ends, or
- * compares differently in an unsigned type than in redcc_int; if a
- * variable stride is less than 1; and if a do loop has a single iteration because its first value
- * does not satisfy the condition.
+ * (64 bits, signed). In some cases the count is set to 0 or a condition on the counter's final
+ * value fails, so that the original loop runs: if the loop wraps around or never ends; if it
+ * compares differently in an unsigned type than in redcc_int; if a variable stride is less than 1;
+ * if a do loop has a single iteration because its first value does not satisfy the condition.
  */
 #include <stdarg.h>
 #include <stdio.h>

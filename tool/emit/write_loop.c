@@ -34,8 +34,8 @@ static void write_execution(loop_text *loop, writer *out) {
     write_distributed_stores(loop, out);
 }
 
-/** Writes the parallel execution. It is inside the `if` under which the loop is known to iterate:
- *  otherwise its expressions may be invalid. */
+/** Writes the parallel execution, inside the `if` under which the loop is known to iterate:
+ * elsewhere its expressions may be invalid. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
@@ -94,7 +94,7 @@ static const char *heading(loop_text *loop) {
         buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", array->name,
                       array->order_is_kept ? "order kept" : reduction_operator_spelling(array->op));
     }
-    /* a name is C text: it contains the end of a comment only in a string or comment of its own */
+    /* none if a name, by a string or comment in it, would end the heading's comment */
     const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
     buffer_free(&out);
     return text;
@@ -174,7 +174,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     write_attempt(loop, out);
     out->depth--;
     writer_line(out, "}");
-    /* not `if (!redcc__done)`: compilers would consider an `else` in the loop ambiguous */
+    /* not `if (!redcc__done)`: compilers would warn of an ambiguous `else` in the loop */
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
@@ -190,9 +190,9 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     origin_copy(&out->out, text, range.begin, range.end);
 }
 
-/** Writes the end of the block, with the end of the measurement of the sequential loop. */
+/** Writes the end of the block, in which the timing of the sequential loop ends. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool has_condition = /* a compilation may not time it */
+    const bool has_condition = /* some compilations do not time the loop */
         loop->facts->slice.has_floating_work || has_crew(loop);
     const char *site = outlined_name(loop, "site");
     if (!has_condition && !has_branches(loop)) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One whole loop: the text that replaces it, and the text before its function. */
+/** Writes one loop: the text that replaces it, and the text before its function. */
 #ifndef EMIT_WRITE_LOOP_H
 #define EMIT_WRITE_LOOP_H
 

@@ -20,7 +20,7 @@ void page_verdict(buffer *out, const report_loop *loop);
 /** Appends the share of the runs' time that a loop took, as a bar and a number. */
 void page_share(buffer *out, const loop_time *time);
 
-/** Appends the measured gain of the last run that has one, or a dash. */
+/** Appends the gain measured in the last run that reports the loop, or a dash. */
 void page_gain(buffer *out, const loop_time *time);
 
 void page_index(const reports *r, buffer *out);

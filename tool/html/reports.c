@@ -89,7 +89,7 @@ static bool had_one_thread(const json_t *loop) {
 
 /* The number of threads of the run: the greatest that a loop reports. A loop whose last execution
  * was sequential reports one thread; then its expected speed-up, rounded up, is a lower bound.
- * Without either, two are assumed, unless a loop says that there was only one thread. */
+ * Without either, two are assumed, unless a loop reports that there was only one thread. */
 static json_int_t most_threads(const json_t *loops) {
     json_int_t most = 1;
     bool one = false;
@@ -106,8 +106,8 @@ static json_int_t most_threads(const json_t *loops) {
     return most == 1 && !one ? 2 : most;
 }
 
-/* The time of a loop beyond its sequential time divided by the threads; or, if the sequential time
- * was not measured, the time of its inspections. */
+/* The time of a loop beyond its sequential time divided by the threads. Of parallel calls without a
+ * measured gain, only the time of inspections counts. */
 static double seconds_lost(const json_t *run, json_int_t threads) {
     const double sequential = number_of(run, "sequential_seconds");
     const double inspecting = number_of(run, "inspect_seconds");

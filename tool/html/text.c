@@ -7,7 +7,7 @@
 
 static const char replacement[] = "\xEF\xBF\xBD"; /* U+FFFD */
 
-/* The character at `at`, with its number of bytes in *length: 0 if it is not UTF-8. */
+/* The character at `at`; *length is its number of bytes, or 0 if the bytes are not UTF-8. */
 static uint32_t decode(const unsigned char *at, size_t room, size_t *length) {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
     const size_t count = *at < 0x80   ? 1
@@ -96,7 +96,7 @@ static void add_paragraph(buffer *out, const char *text, size_t length) {
     buffer_text(out, in_code ? "</code></p>\n" : "</p>\n");
 }
 
-/* The position after the block of code that begins at `at`, "```c". */
+/* Appends the block of code that begins at `at` with "```c"; returns the position after it. */
 static const char *add_block(buffer *out, const char *at) {
     const char *first = strchr(at, '\n');
     const char *end = first ? strstr(first, "\n```") : NULL;

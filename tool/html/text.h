@@ -8,8 +8,8 @@
 #include "support/buffer.h"
 
 /** Appends `length` bytes as text or as the value of an attribute. Bytes that are not UTF-8 are
- * read as Latin-1; & < > " ' are escaped; a character that no document may contain becomes U+FFFD.
- */
+ * read as Latin-1; & < > " ' are escaped; a character that documents may not contain becomes
+ * U+FFFD. */
 void html_bytes(buffer *out, const char *bytes, size_t length);
 void html_text(buffer *out, const char *text);
 

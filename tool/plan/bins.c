@@ -78,8 +78,9 @@ static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     return is_outer || (declared && declared->child_count > 0);
 }
 
-/** The record stores every operand in each iteration. `is_certain`: the loop evaluates this one in
- *  each; otherwise it must be a variable that has a value, so that reading it is harmless. */
+/** A record stores all its operands whenever it is appended. `is_certain`: the update then always
+ *  evaluates this one; otherwise it must be a variable with a value, so that reading it is
+ * harmless. */
 static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
@@ -91,7 +92,7 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     return true;
 }
 
-/** The system's fmin and fmax: in R = fmin(R, v) the call's argument is the target. */
+/** The C library's fmin, fmax and their variants: in R = fmin(R, v) an argument is the target. */
 static bool is_extremum(const ir_node *callee) {
     return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
            (strncmp(callee->function->name, "fmin", 4) == 0 ||
@@ -151,7 +152,7 @@ unsigned stream_value_count(const bins_stream *stream) {
     return count;
 }
 
-/** Records of a stream whose updates the same statements apply share a tag. */
+/** Records of a stream share a tag if the same statements can apply them. */
 static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *record) {
     for (const bins_record *other = bins->records; other < record; other++)
         if (other->stream == record->stream && records_are_alike(facts, bins, other, record)) {
@@ -161,7 +162,8 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
     record->tag = bins->streams[record->stream].tag_count++;
 }
 
-/** Gives all updates of a stream one type of record; some use only its first values. */
+/** Adds the types of the record's values to those of its stream's records, of which a record may
+ *  use only the first ones. False: they differ, or are too many. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);
@@ -191,8 +193,8 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
            (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
-/** Is the element spelled from the array's base on, not by a pointer of the iteration's own?
- * Elements behind pointers are counted from address 0. */
+/** Does the element's text begin at the array's base, and not at a pointer that the iteration
+ * computes? Elements of scattered arrays need no base: they are counted from address 0. */
 static bool is_spelled_from_base(const loop_facts *facts, const reduction_update *update) {
     const ir_node *node = update->target;
     if (facts->arrays[update->array].is_scattered)
@@ -246,7 +248,7 @@ static bool can_be_grouped(const loop_plan *plan, bins_plan *bins, bool wide, bo
     return give_tags(plan->facts, bins);
 }
 
-/** Uses the smallest number of records. */
+/** Tries the groupings that need the fewest records first. */
 static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     find_nests(plan->facts, bins);
     find_bins_spans(plan, bins);
@@ -261,8 +263,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
-/** May a read whose address is known only during execution read an own element? If the guard finds
- *  that in a later round, the stores that the earlier rounds deferred are missing already. */
+/** May a read whose address is known only during execution overlap an own element or a scalar in
+ * memory? They are stored after the last round, so the guard may find the overlap too late. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -270,9 +272,8 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? An aborted execution leaves operands of scalars and
- *  values of own elements behind, which the next execution overwrites; it does not overwrite
- *  series. */
+/** Must the body see only verified values? The next execution overwrites the operands of scalars
+ * and values of own elements that an aborted one has left, but not its series. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * In-order binning (redcc/bins.h): an update becomes a record, which holds the values that the
- * update reads except for the element itself, and a function applies records to the elements.
- * Updates of one row (bins_row.c), or of several arrays at one subscript (bins_group.c), share a
- * record, and so do the updates in a loop over constants (bins_nest.c).
+ * update reads except for the element itself. A function applies records to the elements. Adjacent
+ * updates of one row (bins_row.c), or of several arrays at one subscript (bins_group.c), share a
+ * record. So do all iterations of a loop over constants (bins_nest.c) or over a row (bins_span.c).
  *
  * Why it is sound: only the updates access the arrays, so they may be made later. The records of an
- * element are applied in the order of the loop. A record holds the values that the update would
- * have read, because an operand reads nothing that the loop writes and is evaluated at the update.
+ * element are applied in the order of the loop. A record holds the values that its updates would
+ * have read: its operands are evaluated at its first update, and none of its updates changes them.
  * The form is declined if an update cannot be split in this way.
  *
- * The body executes before its reads are compared with its writes. If it may fail then
- * (unverified_uses.h), or keeps series of operands, the inspector first records all reads and
- * updated rows; each thread records those of an equal share of the iterations. The overlap guard
- * compares them, as for a plan. No iteration then reads what another one writes, so that each has
- * the sequential loop's values, whenever and however often it executes.
+ * The body executes before its reads are compared with its writes. If the body may then fail
+ * (unverified_uses.h), or leave results that a later execution does not replace (is_checked), the
+ * inspector first records all reads and updated rows. The overlap guard compares them, as for a
+ * plan. No iteration then reads what another one writes: each has the sequential loop's values,
+ * whenever and however often it executes.
  *
- * Nothing is stored before the guard, so that an address which depends on no variable of the
- * iteration is the same in all of them: the first iteration of a chunk records such reads.
+ * Before the guard nothing is stored to memory that the loop reads. So an address that depends on
+ * no variable of the iteration is the same in all iterations: only the first one of a chunk records
+ * such reads.
  */
 #ifndef PLAN_BINS_H
 #define PLAN_BINS_H
@@ -25,14 +26,14 @@
 #include "plan/plan.h"
 
 enum {
-    MOST_STREAM_ARRAYS = 4, /* REDCC_STREAM_ARRAYS of redcc/bins.h */
+    MOST_STREAM_ARRAYS = 4, /* REDCC_STREAM_ARRAYS (redcc/structures.h) */
     MOST_RECORD_OPERANDS = 4,
-    MOST_RECORD_VALUES = 9, /* REDCC_VALUES_9 there */
+    MOST_RECORD_VALUES = 9, /* REDCC_VALUES_9 is the last one in redcc/bins.h */
     MOST_RECORD_UPDATES = 8,
     MOST_NEST_DEPTH = 3
 };
 
-/** The type in which a record stores a value: that of the value after C's promotions. */
+/** The type in which a record stores a value: the value's type after C's promotions. */
 typedef enum value_kind {
     VALUE_NONE,
     VALUE_INT,
@@ -43,7 +44,7 @@ typedef enum value_kind {
     VALUE_DOUBLE
 } value_kind;
 
-/** Loops over constants around updates (bins_nest.c), the outermost first. */
+/** The loops over constants around an update (bins_nest.c), the outermost first. */
 typedef struct bins_nest {
     const ir_node *outermost; /* NULL: there are none */
     unsigned depth;
@@ -53,8 +54,8 @@ typedef struct bins_nest {
     } levels[MOST_NEST_DEPTH];
 } bins_nest;
 
-/** An inner loop `for (j = 0; j < n; j++)` around one update of consecutive elements, whose
- * operands are read when it is applied (bins_span.c). */
+/** An inner loop `for (j = FIRST; j < n; j++)` around one update of consecutive elements. The
+ * update's operands are read when the record is applied (bins_span.c). */
 typedef struct bins_span {
     const ir_node *loop;      /* NULL: none */
     const loop_span *counted; /* the loop's header */
@@ -63,15 +64,15 @@ typedef struct bins_span {
     const ir_variable *variables[MOST_RECORD_OPERANDS];
 } bins_span;
 
-/** A record that the body appends. It describes one update; or consecutive updates of one row of an
- *  array, or of rows of different arrays at one subscript; or an update in a nest, where each
- *  operand has a value for each part of the row. */
+/** A record that the body appends. It describes one update; or adjacent updates of one row of an
+ *  array, or of rows of different arrays at one subscript; or all iterations of an update in a span
+ *  or in a nest. In a nest each operand has a value for each iteration. */
 typedef struct bins_record {
     const bins_nest *nest; /* NULL: none */
     const bins_span *span; /* NULL: none */
     unsigned update_count;
-    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the record is appended where
-                                                           * the first of them is */
+    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the record is appended at the
+                                                           * first, before its nest or span */
     unsigned stream;
     unsigned operand_count;
     const ir_node *operands[MOST_RECORD_OPERANDS];
@@ -103,7 +104,7 @@ typedef struct bins_plan {
                       * iteration executes: the body must not see unverified values */
 } bins_plan;
 
-/** Sets bins, or no_bins. */
+/** Sets plan->bins, or plan->no_bins: the reason why there are none. */
 void plan_bins(loop_plan *plan);
 
 /** The span whose records the stream has; NULL: it has others. */
@@ -118,16 +119,16 @@ bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array)
 const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
                            const reduction_update *update, int64_t *offset);
 
-/** The position of the update's element in the row, counted in elements. In a nest, `part` is the
- *  number of the iteration. Requires find_rows. */
+/** The position of the update's element in the row, counted in elements. `part` is the number of
+ *  the nest's iteration; 0 without a nest. Requires find_rows. */
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part);
 
-/** The pointer in memory through which an update of a scattered array reaches its row; NULL: it is
- * a variable, or the array is not scattered. */
+/** The array element or member that holds the pointer by which an update of a scattered array
+ * reaches its row; NULL: it is held elsewhere, or the array is not scattered. */
 const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
 
-/** Does the node name the updated element? Its subscript may have equal calls. */
+/** Does the node name the updated element? Equal calls in both subscripts count as equal. */
 bool is_updated_element(const ir_node *node, const ir_node *target);
 
 /** The number of the operand that equals this node; -1: none. No two calls are equal. */
@@ -137,7 +138,7 @@ int operand_number(const bins_record *record, const ir_node *node);
 const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
 /** The number of elements that an update in the nest updates; 1 if `nest` is NULL. */
 unsigned nest_part_count(const bins_nest *nest);
-/** The nest of an update; NULL: it has none, or its array's rows are single elements. */
+/** The nest of an update; NULL: it has none, nests are not used, or rows are single elements. */
 const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
                          const reduction_update *update);
 /** The value of a counter when the loops reach element number `part`, counted from 0. */

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Records that the same statements can apply: their updates differ only in values. */
+/** Finds records that the same statements can apply: updates that differ only in rows and values.
+ */
 #include <string.h>
 
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 
-/** An update and the record that applies it. Two updates are equal if they differ only in how they
- *  name the element and the operands. */
+/** An update and its record. Two updates are equal if they differ only in how they name the element
+ *  and the operands. */
 typedef struct record_update {
     const bins_record *record;
     const reduction_update *update;

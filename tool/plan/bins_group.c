@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Finds updates that share a record. A group is a sequence of adjacent statements that update one
- * row of an array, or rows of different arrays at one subscript. Arrays that occur in all groups
- * together are one stream. The group's writes are deferred, so its operands do not change while it
- * is executed, and its first statement can keep all of them.
+ * Finds updates that share a record. Of a run of adjacent update statements, a group contains those
+ * of one row of an array, or of rows of different arrays at one subscript. Arrays that occur only
+ * together, in all groups, may be one stream. The group's writes are deferred, so its operands do
+ * not change while it is executed, and the record at its first statement can hold all of them.
  */
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
@@ -18,7 +18,7 @@ typedef struct grouping {
         unsigned group;
     } * members;
     unsigned count; /* groups so far, numbered in order */
-    unsigned begin; /* the first group of the current statements */
+    unsigned begin; /* the first group of the current run of adjacent updates */
 } grouping;
 
 static bool has_array(const grouping *g, unsigned group, unsigned array) {
@@ -44,8 +44,8 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
     return has_row && count < MOST_RECORD_UPDATES;
 }
 
-/** The group for the next update. Groups before one that already updates the array are excluded, so
- *  that the array's updates keep their order. */
+/** The group for the next update; `count`: a new one. Groups before the last one that updates the
+ * array (and it, unless `wide`) are excluded: the array's updates keep their order. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)
@@ -56,7 +56,6 @@ static unsigned group_for(const grouping *g, const reduction_update *update) {
     return from;
 }
 
-/** Adds the update to its group. */
 static void add_update(grouping *g, const reduction_update *update) {
     const unsigned group = group_for(g, update);
     g->count += group == g->count;
@@ -108,7 +107,7 @@ static unsigned stream_of(const bins_plan *bins, unsigned array) {
                 return s;
 }
 
-/** Appends the record of this stream and group. */
+/** Appends the group's record in this stream, if the group updates any of the stream's arrays. */
 static void add_record(const grouping *g, bins_plan *bins, unsigned group, unsigned stream) {
     bins_record record = {.stream = stream};
     for (unsigned i = 0; i < g->member_count; i++)

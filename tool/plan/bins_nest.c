@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. One
- * record, appended before the nest, holds the operands of all its iterations. This is legal for two
- * reasons: the operands read nothing that the nest changes, since updates are applied later, and no
- * two iterations of the nest update the same element.
+ * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. Each
+ * update has one record, appended before the nest, with the operands of all iterations. Since
+ * updates are applied later, this is legal only if the operands read nothing that the nest changes,
+ * and if no update reaches the same element in two iterations of the nest.
  */
 #include <assert.h>
 #include <string.h>
@@ -15,7 +15,7 @@
 
 /* ---- the loops ----------------------------------------------------------------------------- */
 
-/** Is this `for (c = FIRST; c < BOUND; c++)` over constants? */
+/** Is this `for (c = FIRST; c < BOUND; c++)` over a few constants, none negative? Sets *level. */
 static bool is_level(const ir_node *node, struct nest_level *level) {
     const ir_variable *counter;
     ir_variable *stepped;
@@ -85,7 +85,7 @@ static bool is_one_row(const loop_facts *facts, const reduction_update *update,
     return !mentions_counter(nest, row);
 }
 
-/** The loops around the update, from `outermost` on. */
+/** Sets *nest to the loops around the update, from `outermost` on. False: they cannot be a nest. */
 static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};
@@ -108,7 +108,7 @@ static bool make_nest(const loop_facts *facts, const reduction_update *update,
     return nest_part_count(nest) <= MOST_RECORD_VALUES && is_one_row(facts, update, nest);
 }
 
-/** The outermost such loops around the update; outermost is NULL if there are none. */
+/** The largest nest around the update; outermost is NULL if there is none. */
 static bins_nest find_nest(const loop_facts *facts, const reduction_update *update) {
     bins_nest found = {0}, nest;
     for (const ir_node *node = update->statement->parent;

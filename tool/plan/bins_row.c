@@ -2,8 +2,8 @@
 /**
  * The rows of an array in the form for in-order binning: its elements or, if adjacent elements at
  * constant distances are updated (`f[i].x`, `f[i].y`; `f[i][0]`, `f[i][1]`), the structures or
- * arrays that contain them. A row is binned as a whole: one record names the row once and holds the
- * operands of the updates of all its elements.
+ * arrays that contain them. A row is binned as a whole: one record can name the row once and hold
+ * the operands of adjacent updates of its elements.
  */
 #include <assert.h>
 #include <string.h>
@@ -71,8 +71,8 @@ static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsig
     return false;
 }
 
-/** The size of a row, if it is the same for all updates of the array and a row has several updated
- *  elements; otherwise an element's size. */
+/** The size of a row, if it is the same for all updates of the array and not too large, and a row
+ *  has several updated elements; otherwise an element's size. */
 static int64_t wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     const int64_t size = element_size(facts, array);
     int64_t bytes = 0;

@@ -9,7 +9,6 @@
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/** Is the variable mentioned in `tree`, outside of `part`? */
 static bool is_mentioned_outside(const ir_node *tree, const ir_node *part,
                                  const ir_variable *variable) {
     if (tree == part)
@@ -22,7 +21,7 @@ static bool is_mentioned_outside(const ir_node *tree, const ir_node *part,
     return false;
 }
 
-/** Might a jump enter a branch that contains this node? */
+/** May the node be a jump into a branch, or the target of one? */
 static bool may_be_entered(const ir_node *node) {
     return node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_SWITCH ||
            node->kind == IR_OPAQUE;

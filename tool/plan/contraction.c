@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Forbids compilers to contract a multiplication and an addition into one rounding. The serial and
- * the parallel form of a loop give the same bits only if neither is contracted; nor may an
- * inspector compute other subscripts than its executor.
+ * Forbids compilers to contract a multiplication and an addition into an operation with one
+ * rounding. Unless any order is permitted, the serial and the parallel form of a loop must give the
+ * same bits, so neither may be contracted. Nor may an inspector compute other subscripts than its
+ * executor.
  *
- * Usually it is enough to forbid it in the functions that contain loops and in the generated text.
- * It is not if a loop calls a function of the same file that itself contains a contractible
- * expression: gcc may inline the callee into one form of the loop, where contraction is forbidden,
- * but call it in another form, where the callee is contracted. Then contraction is forbidden in
- * the whole file; likewise if declarations cannot be inserted before a function, if a loop has
+ * Usually contraction is forbidden in the functions that contain loops and in the generated text.
+ * It is forbidden in the whole file if a loop calls a function of the file with a contractible
+ * expression: gcc may inline the callee into one form of the loop, and call it, contracted, in
+ * another. Likewise if a function cannot get the attribute (may_have_attribute), if a loop has
  * lanes, if the file may name a target, or if a macro changes the pragma.
  */
 #include "plan/contraction.h"
@@ -17,7 +17,7 @@
 
 #include "plan/place.h"
 
-/** Operations of the functions that a loop calls, directly and indirectly. */
+/** Floating-point operations of a loop or of functions that it calls, directly or indirectly. */
 typedef struct reach {
     bool *is_seen; /* by function */
     bool multiplies, adds;
@@ -67,7 +67,7 @@ static void collect_operations(reach *r, const ir_node *node) {
         collect_operations(r, node->children[i]);
 }
 
-/** Collects the operations of called functions only: the loop's own are never contracted. */
+/** Collects the operations of called functions only: in the loop contraction is forbidden. */
 static void collect_calls(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);
@@ -90,8 +90,8 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
 /* ---- places -------------------------------------------------------------------------------- */
 
 /** May the function get an attribute that forbids contraction? Not if it is declared inline: gcc
- * does not inline a function into another if only one of them may be contracted. Nor if it is
- * declared without a type, where C allows no attribute. */
+ * does not inline a function into another if only one of them may be contracted. Nor if it has no
+ * place in front, or begins with its name (C allows no attribute there) or with a directive. */
 static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
     return has_place_in_front(unit, function) &&
@@ -108,7 +108,6 @@ bool may_name_targets(const ir_unit *unit) {
     return is_found;
 }
 
-/** Does a macro of the program replace a word of the pragma? */
 static bool has_macro_of_pragma(const ir_unit *unit) {
     static const char *const words[] = {"clang", "fp", "contract", "off"};
     for (size_t i = 0; unit->text.macros && i < sizeof words / sizeof *words; i++)

@@ -13,14 +13,14 @@ typedef enum contraction {
     CONTRACTION_OFF_IN_FILE
 } contraction;
 
-/** Decides for all loops to be transformed. Sets is_forbidden, by verdict, if contraction is
- *  forbidden in the loop itself: an operation in the loop, or in a function that it calls, could be
- *  contracted, perhaps with one outside of the loop. */
+/** Decides for all loops to be transformed. Only with CONTRACTION_OFF_IN_LOOPS sets is_forbidden,
+ * by verdict: the loop, or a function that it calls, has an operation that could be contracted,
+ *  perhaps with one outside. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
                            const plan_options *options, bool has_lanes, bool *is_forbidden);
 
-/** May an attribute or pragma of the file compile functions for another processor than that whose
- *  predefined macros the file's head can test? */
+/** May an attribute or pragma of the file select another processor for functions? The file's head
+ * cannot test the macros of that processor. */
 bool may_name_targets(const ir_unit *unit);
 
 #endif

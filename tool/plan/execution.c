@@ -29,7 +29,8 @@ key_form form_of_key(const ir_type *type) {
     }
 }
 
-/** May a plan be kept? Only if the bases of its rows can be read again: they may have moved. */
+/** May a plan be kept? The bases of the rows read may have moved, so it must be possible to read
+ * them before the loop. All keys must fit words. */
 static bool is_verifiable(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (!facts->slice.is_verifiable)
@@ -109,7 +110,8 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Are there updates in inner loops, and does the inspector log each such loop as one span? */
+/** Are there updates in inner loops, all of which the inspector logs as spans? Its slice must
+ * neither search nor run in a pre-check. */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Properties of a loop that decide whether the runtime may keep a plan, copy arrays, skip
+/** Properties of a loop that decide whether the runtime may keep a plan, copy arrays, or skip
  *  iterations. */
 #ifndef PLAN_EXECUTION_H
 #define PLAN_EXECUTION_H
@@ -12,7 +12,8 @@ typedef enum key_form { KEY_INTEGER, KEY_POINTER, KEY_BYTES, KEY_UNFIT } key_for
 key_form form_of_key(const ir_type *type);
 
 /** May the runtime update private copies of the array? Not if other data lie between its elements,
- *  since copies hold adjacent elements; nor if copies could not be merged. */
+ *  since copies hold adjacent elements; nor if its updates do not commute; nor if a sanitizer would
+ *  report overflows of partial sums. */
 bool may_be_copied(const loop_plan *plan, const reduction_array *array);
 
 /** Sets execution. Requires has_ready_base. */

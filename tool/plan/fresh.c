@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A place is the variable, a member of it, or an element of a short array. Loops over constants are
- * interpreted, so that subscripts made of their counters are known numbers. Statements are
- * classified in the order of their execution, up to the first assignment that is always executed.
- * Control leaves a statement early only by `continue`, `break` or `return`, and then does not reach
- * what follows it.
+ * A place is the variable, a member of it, or an element of a short array. For elements, short
+ * loops over constants are interpreted, so that a counter used as a subscript is a known number.
+ * Statements are classified in the order of their execution, up to the first assignment that is
+ * always executed. Control leaves a statement early only by `continue`, `break` or `return`, and
+ * then does not reach what follows the statement.
  */
 #include "plan/fresh.h"
 
@@ -63,7 +63,7 @@ static bool is_place(const place *p, const ir_node *node) {
            expression_is_variable(node->children[0], p->variable);
 }
 
-/** May the node name the place? A subscript may have any value. */
+/** May the node name the place? An unknown subscript may have any value. */
 static bool mentions(const place *p, const ir_node *node) {
     int64_t element;
     if (is_place(p, node) || (is_array(p) && expression_is_variable(node, p->variable)))
@@ -78,7 +78,6 @@ static bool mentions(const place *p, const ir_node *node) {
 
 static finding find_in(const place *p, const ir_node *node);
 
-/** Classifies parts that are executed one after the other. */
 static finding in_sequence(const place *p, ir_node *const *parts, unsigned count) {
     for (unsigned i = 0; i < count; i++) {
         const finding found = find_in(p, parts[i]);
@@ -109,7 +108,7 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
-/** Classifies each of a few iterations, with the counter's value. None of them ends early. */
+/** Classifies a few iterations in order, each with its counter's value. None of them ends early. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
     finding found = FRESH;
@@ -122,8 +121,8 @@ static finding in_iterations(const place *p, const ir_node *node, int64_t first,
     return found;
 }
 
-/** Unless its iterations are known, the body may not be executed at all, and `continue` may leave
- * it anywhere: it ASSIGNS nothing. */
+/** Unless the iterations are known, the body counts as one that ASSIGNS nothing: it may not be
+ * executed at all, and `continue` may leave it anywhere. */
 static finding in_for(const place *p, const ir_node *node) {
     const finding first = find_in(p, node->children[0]);
     if (first != FRESH)

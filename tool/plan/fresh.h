@@ -7,7 +7,7 @@
 
 /** On each path through the statement, each read of the variable, or of a part of it, comes after
  *  an assignment of that variable, or part, in the same execution. False if the text does not show
- *  it. The statement has no labels. */
+ * it. Requires a statement without labels. */
 bool is_fresh_in(const ir_node *statement, const ir_variable *variable);
 
 #endif

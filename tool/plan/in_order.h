@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Does the executor's body, executed in order, do the same as the sequential loop? It may not: the
+/** Does the executor's body, executed in order, do the same as the sequential loop? Not always: the
  *  executor reads bounds and variables once, before the loop, and stores own elements when all
  *  iterations have ended. */
 #ifndef PLAN_IN_ORDER_H
@@ -10,9 +10,9 @@
 /** May an update change a value that the executor reads before the loop, or keeps until its end? */
 bool has_values_from_before(const loop_facts *facts);
 
-/** Given that no update may do that: may the body, executed in order, replace the sequential loop
- *  from any iteration on, and are its iterations long? Then the first of them may be executed in
- *  order, and timed (runtime/src/beginning.h). */
+/** May the body, executed in order, replace the sequential loop from any iteration on, and are the
+ *  iterations long? Then the first ones may be executed in order, and timed
+ *  (runtime/src/beginning.h). Requires !has_values_from_before. */
 bool may_begin_in_order(const loop_facts *facts);
 
 #endif

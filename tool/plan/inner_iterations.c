@@ -12,7 +12,7 @@
 #include "plan/unconditional.h"
 
 enum {
-    LEAST_WORK = 4, /* floating-point operations for which another ownership check pays */
+    LEAST_WORK = 4, /* floating-point operations or calls for which another ownership check pays */
     MOST_SUMS = 12
 };
 
@@ -26,7 +26,7 @@ typedef struct inner_rest {
     skip_row rows[MOST_SKIP_ROWS];
     bool adds_to_series; /* the rest adds to a series */
     unsigned sum_count;
-    const ir_variable *sums[MOST_SUMS]; /* variables that inner iterations add to */
+    const ir_variable *sums[MOST_SUMS]; /* variables that the rest adds to */
 } inner_rest;
 
 /* ---- effects of the rest of an iteration ----------------------------------------------------- */
@@ -75,8 +75,8 @@ static bool may_be_written_by_call(const inner_rest *t, const ir_node *argument,
     return argument->type->kind == IR_POINTER || !is_own_variable(t, expression_object(argument));
 }
 
-/** May the call write what an argument points to? The loop's analysis has shown that it writes
- *  nothing else. */
+/** May the call write anything but variables declared in the rest? The loop's analysis has shown
+ *  that it writes only what its arguments point to. */
 static bool may_write(const inner_rest *t, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     for (unsigned i = 1; i < call->child_count; i++) {
@@ -90,7 +90,8 @@ static bool may_write(const inner_rest *t, const ir_node *call) {
     return !callee;
 }
 
-/** Is the node `p += e` for a variable that is private to the iteration? Then p becomes a sum. */
+/** Is the node `p op= e` for a variable that is private to the iteration? Adds p to the sums; false
+ * if there are too many. */
 static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable) {
     if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
         return false;
@@ -109,8 +110,8 @@ static bool is_series_update(const inner_rest *t, const ir_node *node) {
            expression_is_plain(t->facts->scalars[scalar].value);
 }
 
-/** Does the node have an effect, other than updates and sums, that later iterations or statements
- *  can see? `is_inside`: a loop or switch of the rest encloses the node. */
+/** Does the node have an effect, other than updates, sums and series, that later iterations or
+ *  statements can see? `is_inside`: a loop or switch of the rest encloses the node. */
 static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
@@ -224,7 +225,7 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
     return a->array == b->array && syntax_same(a->row, b->row);
 }
 
-/** The loop in the inner iteration that steps through the row's elements; NULL: none. */
+/** The nested loop, in the inner iteration, that steps through the update's rows; NULL: none. */
 static const loop_span *span_below(const inner_rest *t, const reduction_update *update) {
     const ir_node *const end = ir_contains(t->inner, update->statement) ? t->inner : NULL;
     for (const ir_node *node = update->statement->parent; end && node != end; node = node->parent) {
@@ -246,14 +247,15 @@ static const ir_node *first_value(const loop_span *span, const ir_variable *vari
     return NULL;
 }
 
-/** Lets the rest begin where the value is known. False: it is not plain, or not known. */
+/** Lets the rest begin where the value is known. False: it is not known, or computing it reads
+ * memory or may trap. */
 static bool begin_after_value(inner_rest *t, const ir_node *value) {
     return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
            begin_after_variables(t, value);
 }
 
 /** Lets the rest begin where the variable has the value from which the nested loop steps it. False:
- *  another statement changes it later, or the loop is no statement of the block. */
+ *  it may have no value or change later, or the nested loop is no statement of the block itself. */
 static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable), is_behind = false;
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -290,8 +292,8 @@ static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node
     return true;
 }
 
-/** Adds the update's row to those that are checked. False: there are too many, or it is not known
- *  early enough. */
+/** Adds the update's row to those that are checked. False: there are too many rows, or this one
+ *  cannot be computed before the rest. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)

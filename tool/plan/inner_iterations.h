@@ -12,13 +12,13 @@
  * continues with the next inner iteration. Rows that a nested loop steps through are checked
  * together: in a loop over pairs of blocks, a thread that owns neither block skips the pair.
  *
- * Why it is sound: the rest of the inner iteration has no effects except updates and changes of its
- * private variables, including variables declared outside that are set again before each use
- * (inner_variables.h). So skipping the rest cannot be observed. The rows that it updates are known
- * before it. It may also add to variables that are read only by updates outside of the inner loop,
- * as in `p += e; ... f[i] += p;`: then a thread that skips it must not own the rows of those
- * updates either. One thread leads in each iteration and skips nothing: it adds to series, and sets
- * errno if a mathematical function does.
+ * Why it is sound: the rest of the inner iteration only makes updates and changes its private
+ * variables. Among these are variables declared outside that are set again before each use
+ * (inner_variables.h). So skipping the rest cannot be observed. The rows that the rest updates are
+ * known before it. The rest may also add to variables that are read only by updates outside of the
+ * inner loop, as in `p += e; ... f[i] += p;`: then a thread that skips the rest must not own the
+ * rows of those updates either. If the rest adds to series, or may set errno, one thread leads in
+ * each iteration and skips nothing.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H
@@ -29,7 +29,7 @@ enum { MOST_SKIP_ROWS = 8 };
 
 /** Rows that an inner iteration updates. */
 typedef struct skip_row {
-    const reduction_update *update; /* one of them */
+    const reduction_update *update; /* one that updates them */
     const loop_span *span; /* the nested loop that steps through them; NULL: it is one row */
 } skip_row;
 
@@ -37,14 +37,14 @@ typedef struct skip_row {
 typedef struct inner_skip {
     const ir_node *loop;
     const char *declined;  /* the reason why nothing is skipped; NULL: the following is set */
-    const ir_node *before; /* the statement of the body before which ownership is checked */
+    const ir_node *before; /* the statement of the loop's body before which ownership is checked */
     bool needs_leader;     /* the skipped part adds to series, or may set errno: the thread that
                             * leads in an iteration skips nothing */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
-/** Sets skips, for the form whose body is a separate function. */
+/** Sets skips: an entry for each inner loop, with the reason if nothing is skipped. */
 void plan_inner_skips(loop_plan *plan);
 
 /** Must one of the threads that execute an iteration execute all of it? */

@@ -11,7 +11,7 @@
  *  `inner` ends in between. Requires that the variable's address is never taken. */
 bool inner_value_is_dead(const ir_node *body, const ir_node *inner, const ir_variable *variable);
 
-/** Does executing this statement always give the variable a value? */
+/** Is the statement a plain assignment of the variable, or its declaration with a value? */
 bool inner_statement_sets(const ir_node *statement, const ir_variable *variable);
 
 #endif

@@ -15,15 +15,15 @@
 /** Cost of a call made lane by lane, in operations. */
 enum { LANE_CALL_WORK = 40 };
 
-/** May the call be made lane by lane? It must be of a function of the C library, on doubles or
- *  floats. */
+/** May the call be made lane by lane? It must be of a known function of the C library that takes
+ * and returns doubles or floats. */
 bool lane_may_call(const ir_unit *unit, const ir_node *call);
 
 /** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf,
  *  fabsf), or NULL. */
 const char *lane_known_call(const ir_function *callee);
 
-/** Records a problem if errno may have another value after the loop. */
+/** Records a problem if errno may differ after the loop from that after the sequential loop. */
 void lane_check_errors(lane_scope *l);
 
 /** Calls per iteration that are made lane by lane, without those in update statements. */

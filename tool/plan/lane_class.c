@@ -171,8 +171,6 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node) {
     return true;
 }
 
-/** `d > 0 ? 1 : 0`: the operands can be converted before the selection if neither is converted to
- *  an integer of another type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
     assert(ir_is_expression(node));
     return node->kind == IR_CONDITIONAL && lane_mentions_vector(l, node->children[0]) &&
@@ -260,9 +258,9 @@ static bool is_divergent(const lane_scope *l, const ir_node *node, const ir_node
     }
 }
 
-/** The part of the scope outside of which the value written is not used: the block with the
- *  variable's declaration; or, if all uses lie in loops that initialise the variable, the outermost
- *  such `for` around the write. */
+/** The part of the scope that contains all uses of the value written: the block with the variable's
+ * declaration; or, if all uses lie in loops that initialise the variable, the outermost such `for`
+ * around the write. */
 static const ir_node *life_of(const lane_scope *l, const ir_node *write,
                               const ir_variable *variable) {
     const bool is_counter = lane_is_counter_only(l->body, variable);
@@ -346,7 +344,6 @@ static bool list_node(ir_node *node, void *context) {
     return true;
 }
 
-/** The classes of a function's parameters are set already. */
 void lane_classify(lane_scope *l) {
     listing list = {l, ARENA_ARRAY(l->plan->arena, bool, l->plan->unit->variable_count + 1)};
     propagation s = {.l = l, .has_changed = true};

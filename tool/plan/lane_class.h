@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Classes of an iteration's variables when several iterations are executed at once. The class of an
- * expression follows from those of its variables. Control flow is the same for all lanes, except
- * for conditions around updates, which are executed lane by lane.
+ * expression follows from those of its variables. Inner loops are the same for all lanes; an `if`
+ * may concern some lanes only. Updates are executed lane by lane.
  *
- * A variable is uniform if all values assigned to it are uniform and no condition that differs
- * between lanes decides whether it is assigned. Classes are propagated over assignments to a fixed
- * point.
+ * An integer or pointer is uniform if all values assigned to it are uniform, and all lanes execute
+ * all its assignments. Update statements may assign it only as a loop's counter. Classes are
+ * propagated over assignments to a fixed point.
  */
 #ifndef PLAN_LANE_CLASS_H
 #define PLAN_LANE_CLASS_H
@@ -17,8 +17,7 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer per lane: an array of them */
-    LANE_MASK,  /* a const integer initialised by a comparison of reals: a vector of -1 (true) or 0
-                 */
+    LANE_MASK, /* a const integer initialised by comparisons of reals: a vector of -1 (true) or 0 */
     LANE_LOCAL, /* declared in an update statement: private to each lane's updates */
     LANE_VECTOR /* a double or float, or an array of them, per lane: vectors */
 } lane_class;
@@ -46,17 +45,17 @@ void lane_classify(lane_scope *l);
 /** Is the variable private to the iteration, or declared in the function being written? */
 bool lane_is_own(const lane_scope *l, const ir_variable *variable);
 bool lane_is_uniform(const lane_scope *l, const ir_node *node);
-/** Does the expression contain no call and no assignment? */
+/** Does the expression contain no call, assignment, increment, string or initialiser list? */
 bool lane_is_plain(const ir_node *node);
 /** Is a LANE_VECTOR variable used other than through one of its elements? */
 bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);
 bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
-/** The LANE_VECTOR variable of which the node is the value, or the same element in all lanes; NULL:
- *  none. */
+/** The LANE_VECTOR variable whose value the node is, or whose element with uniform subscripts;
+ * NULL: none. */
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
-/** The LANE_VECTOR variable of which the node is an element, perhaps another one in each lane. */
+/** The same, but subscripts may differ between lanes. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
-/** Is the type double or float? They have vectors. */
+/** Is the type double or float? Only these have vectors. */
 bool lane_is_real(const ir_type *type);
 /** Is it safe to evaluate the expression where the program does not? */
 bool lane_is_safe(const lane_scope *l, const ir_node *node);
@@ -67,7 +66,8 @@ lane_reason lane_effect_of(const ir_node *node);
 /** The type of an operator's result: double if an operand is, else float. NULL: neither operand is
  *  real, or one is neither real nor an integer. */
 const ir_type *lane_common(const ir_type *left, const ir_type *right);
-/** `d > 0 ? 1 : 0`: may the operands be converted before the selection? */
+/** `d > 0 ? 1 : 0`: may the operands be converted before the selection? Not if C first converts one
+ * to another integer type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node);
 
 #endif

@@ -10,7 +10,7 @@
 
 /* ---- the loop itself ------------------------------------------------------------------------- */
 
-/** Does the loop update an array that lanes cannot name? */
+/** Does the loop update an array whose rows are reached through pointers in memory? */
 static bool has_unnamed_array(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
@@ -28,7 +28,7 @@ lane_reason plan_lanes(const loop_plan *plan) {
     if (!facts->inspector.exists)
         return NO_LANES_INSPECTOR;
     if (leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits ||
-        plan_has_leaders(plan)) /* an iteration that may set errno */
+        plan_has_leaders(plan)) /* skipped inner iterations may set errno */
         return NO_LANES_OTHER_VALUES;
     if (plan->options->order == ORDER_ANY)
         return NO_LANES_ANY_ORDER;
@@ -57,8 +57,8 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** The variable that this node assigns, steps or declares, or NULL; sets *other if it assigns
- *  something else. */
+/** The variable that this node declares, assigns or steps; NULL: none. Sets *other if only a part
+ * of it, or the target of a pointer, is assigned. */
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
         return node->variable;
@@ -165,7 +165,6 @@ static void check_update(lane_scope *l, const ir_node *statement) {
         lane_problem(l, NO_LANES_UPDATE, statement);
 }
 
-/** Does the jump leave the update statement around it? */
 static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     for (const ir_node *at = jump->parent; at && at != updating->parent; at = at->parent)
         if (ir_is_loop(at))
@@ -173,8 +172,8 @@ static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     return true;
 }
 
-/** May an update statement assign the variable? Only if it is private to the lane: an integer or
- *  pointer per lane, an element of a vector, or a loop counter. */
+/** May an update statement assign the variable, or (is_element) a part of it? Only if it is private
+ * to the lane, or a loop counter. */
 static bool may_be_assigned_in_update(lane_scope *l, const ir_variable *variable, bool is_element) {
     if (!variable || !lane_is_own(l, variable))
         return false;
@@ -191,8 +190,6 @@ static bool may_be_assigned_in_update(lane_scope *l, const ir_variable *variable
     }
 }
 
-/** In update statements each lane executes the user's text separately. It must not leave the
- *  statement, nor change data that is not private to the lane. */
 static bool check_update_node(ir_node *node, void *context) {
     lane_scope *l = context;
     bool other = false;
@@ -218,7 +215,7 @@ static bool check_update_node(ir_node *node, void *context) {
     return true;
 }
 
-/** May the node change the variable: assign to it, declare it, or pass its address? */
+/** May the node change the variable: assign it, declare it, take its address, or name an array? */
 static bool may_change(const ir_node *node, const ir_variable *variable) {
     bool other = false;
     if (assigned_by(node, &other) == variable)
@@ -236,8 +233,6 @@ static bool may_change(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** Statements after an update, which is deferred, must neither change its operands nor use its
- *  result. */
 void lane_check_order(lane_scope *l, const ir_node *body) {
     for (unsigned i = 0; i < l->plan->unit->variable_count; i++) {
         const ir_variable *variable = l->plan->unit->variables[i];

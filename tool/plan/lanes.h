@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Several iterations at once (redcc/lanes.h): decides which loops have such a form, and which
- * statements.
+ * Decides which loops have a form that executes several iterations at once (redcc/lanes.h), and how
+ * their statements are executed in it.
  *
  * A body is split into computations, which are executed for all lanes at once, and updates, which
  * are executed iteration by iteration after them. Why it is sound: no iteration reads what another
@@ -28,31 +28,33 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable);
 bool lane_has_update(const loop_facts *facts, const ir_node *statement);
 /** Is the statement `if (...) continue;`? */
 bool lane_is_exit(const ir_node *statement);
-/** Is the statement an `if` whose branch contains both updates and other statements? */
+/** Given a statement with updates: is it an `if` without `else` whose block also contains
+ * statements without updates? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
 
 /** The update statement of the body that contains the node; NULL: the node is computed for all
  * lanes at once. */
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
 
-/** Records a problem if the work per lane in update statements outweighs the vector operations,
- *  unless lanes are requested for all loops. */
+/** Records a problem if too much of an iteration's work, update statements and calls, is done lane
+ * by lane, unless lanes are requested for all loops. */
 void lane_check_worth(lane_scope *l);
 
-/** Records a problem if an update statement, which is executed once for each lane, is left by a
- * jump, or changes anything but the element and variables private to the lane. */
+/** An update statement is executed once for each lane. Records a problem if a jump leaves it, or if
+ * it changes anything but the element and variables private to the lane. */
 void lane_check_updates(lane_scope *l, const ir_node *statement);
-/** Records a problem if a later statement of the block changes an update's operands, or uses a
- * variable that the update statement changes. */
+/** Updates are deferred. Records a problem if a later statement of the block changes an
+ * update's operands, or uses a variable that the update statement changes. */
 void lane_check_order(lane_scope *l, const ir_node *block);
 /** Records a problem if the value cannot become an integer or a pointer per lane. */
 void lane_check_operand(lane_scope *l, const ir_node *value);
 
 /** Are the iterations of an inner `for` the same for all lanes? */
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop);
-/** May the function, at this call depth, get a vector form? It must return at its end. */
+/** May the function, at this call depth, get a vector form? It must belong to this file, have fixed
+ * parameters, and return nothing, or a real at its end. */
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth);
-/** The class of the parameter in a call with this argument. */
+/** The class of the parameter in a call with this argument. Records a problem if there is none. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);
 /** The innermost element type of a LANE_VECTOR variable; of a pointer, that of its target. */
 const ir_type *lane_vector_type(const ir_variable *variable);

@@ -74,7 +74,6 @@ bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
            variable->range.begin < body.end;
 }
 
-/** Does the loop only read it, without using its address? */
 bool is_captured(const loop_facts *facts, const ir_variable *variable) {
     for (unsigned i = 0; i < facts->variables.captured_count; i++)
         if (facts->variables.captured[i] == variable)
@@ -84,7 +83,6 @@ bool is_captured(const loop_facts *facts, const ir_variable *variable) {
 
 enum { LARGEST_COPIED_RECORD = 64 };
 
-/** A thread's copy, unlike the shared variable, can be kept in a register. */
 bool is_copied_in(const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->kind == IR_RECORD) {

@@ -5,7 +5,7 @@
 
 #include "analysis/base/facts.h"
 
-/** The array with this base, or -1. */
+/** The number of the array with this base, or -1. Scattered arrays are not found. */
 int loop_array_of_base(const loop_facts *facts, const ir_node *node);
 /** The first update that this statement makes, or NULL. */
 const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement);
@@ -29,9 +29,10 @@ const ir_node *body_increment(const loop_facts *facts);
 
 /** Is the variable private to the iteration, or declared in the body? */
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable);
-/** Does the loop only read the variable? */
+/** Does the loop only read the variable, which is declared outside of it? */
 bool is_captured(const loop_facts *facts, const ir_variable *variable);
-/** Does each thread have a copy of the variable? */
+/** May each thread copy the captured variable, to keep it in a register? Only scalars, and small
+ * structs of a fixed size whose address is never taken. */
 bool is_copied_in(const ir_variable *variable);
 /** Is the counter declared outside of the loop, and live-out? */
 bool counter_outlives(const loop_facts *facts);
@@ -39,7 +40,7 @@ bool counter_outlives(const loop_facts *facts);
  * iterations assign? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
-/** Does the loop have live-out variables, assigned or stepped? */
+/** Does the loop have live-out or stepped variables? */
 bool leaves_variables(const loop_facts *facts);
 /** Does the loop have results other than updates of arrays: live-out or stepped variables,
  * scalars, or own elements? */

@@ -87,7 +87,7 @@ const char *macro_name_in_head(const ir_unit *unit) {
     return NULL;
 }
 
-/** Does a variable or a function of the program have this name? */
+/** Does a variable of the program have this name, or a function that it defines? */
 static bool is_own(const ir_unit *unit, const char *name) {
     for (unsigned i = 0; i < unit->variable_count; i++)
         if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
@@ -104,7 +104,8 @@ static const void *meaning_of(const map *names, const char *name) {
     return names ? map_get(names, name, strlen(name)) : NULL;
 }
 
-/** Does the program, or one of its headers, declare this name of the runtime? */
+/** Does the program, or one of its headers, declare this name of the runtime, or (`is_searched`)
+ * does its text contain the name? */
 static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
     return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
            is_own(unit, name) ||
@@ -122,8 +123,8 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-/** The words in the macros of loop.h and of the headers beside it (CMakeLists.txt), without the
- * runtime's own, each with a byte that follows. */
+/** The words in the macros of loop.h and of the other headers for generated text (CMakeLists.txt),
+ * without the runtime's own names, each with a byte that follows. */
 static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };

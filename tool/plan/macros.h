@@ -5,13 +5,12 @@
 
 #include "ir/ir.h"
 
-/** The name of a macro of the program that is used in the text; NULL: none. */
+/** The name of a macro that the preprocessor would replace in the text; NULL: none. */
 const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length);
 /** The name of a macro, defined before the program's file begins, that the head of the written file
  *  uses (the runtime's header, pragmas); NULL: none. */
 const char *macro_name_in_head(const ir_unit *unit);
-/** A name of the runtime that the generated text uses and that the program declares as something
- *  else; NULL: none. */
+/** A name of the runtime's headers that the program declares, defines or mentions; NULL: none. */
 const char *taken_name(const ir_unit *unit);
 /** The name of a macro of the program that would change the macros of the runtime's header; NULL:
  *  none. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Whether a function only reads what its argument points to, according to its text. */
+/** Decides from a function's text whether it only reads what an argument points to. */
 #ifndef PLAN_ONLY_READ_H
 #define PLAN_ONLY_READ_H
 

@@ -17,7 +17,7 @@ typedef enum lanes_wish {
 
 typedef struct plan_options {
     result_order order;
-    bool order_is_explicit; /* the user has set `order`; it is not the default */
+    bool order_is_explicit; /* the user has set `order` */
     const char *obstacle;   /* the reason why nothing may be written; NULL: none */
     const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
                              * that functions of other files are those that were analysed; NULL: no

@@ -2,10 +2,10 @@
 /**
  * Slice and body as separate functions, before the user's function.
  *
- * The moved text must keep its meaning: no directive may be between the two places, each name must
- * be declared at the new place or passed, each type must have a name. A variable is passed by value
- * if the loop only reads it and does not use its address; an array as a pointer, if its type and
- * size are not used; any other by its address, if all its uses are known.
+ * The moved text must keep its meaning. No directive may be between the two places, each name must
+ * be declared at the new place or passed, and each type must have a name. A variable of the
+ * function is passed by value if it is a scalar or a small struct that the loop only reads; an
+ * array as a pointer, if its type and size are not used; any other variable by its address.
  */
 #ifndef PLAN_OUTLINE_H
 #define PLAN_OUTLINE_H

@@ -34,7 +34,7 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
     return false;
 }
 
-/** Positions in the file, plus 1; 0: none. */
+/** Positions in the file after a token; 0: none. */
 typedef struct token_ends {
     uint32_t last;        /* of the last token */
     uint32_t declaration; /* of the last ; or } outside of parentheses */
@@ -55,7 +55,7 @@ static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     return last;
 }
 
-/** The tokens before `end`, without directives and comments. */
+/** The ends of tokens before `end`; directives and comments are none. */
 static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     unsigned next = 0, depth = 0;

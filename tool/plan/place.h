@@ -14,9 +14,9 @@ bool is_pragma_of(const ir_directive *d, const char *whose);
 /** Do bytes [begin, end) of the text contain the word? */
 bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word);
 
-/** May declarations and an attribute be inserted before the function? Not if the inserted
- *  text would become part of another construct, or a pragma or a macro may apply to the
- *  function. */
+/** May declarations and an attribute be inserted before the function? Not if the inserted text
+ * would become part of another construct, if a pragma or attribute may apply to the function, or if
+ * the file includes itself. */
 bool has_place_in_front(const ir_unit *unit, const ir_function *function);
 
 /** Sets *place to the position before the function at which declarations may be inserted. True: it

@@ -43,7 +43,6 @@ static void plan_stand_ins(loop_plan *plan) {
     plan->is_shadowed = is_shadowed;
 }
 
-/** Decides which forms of the loop can be written. */
 static void plan_form(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     plan_stand_ins(plan);

@@ -41,9 +41,9 @@ typedef struct execution_plan {
     unsigned key_count;         /* words of the key, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
     bool needs_every_iteration; /* an iteration may not be skipped, even if it updates nothing */
-    bool needs_whole;    /* an update may change a value that the executor reads before the loop, or
-                          * keeps until its end: no update is made before the guard has compared the
-                          * accesses of all iterations */
+    bool needs_whole;    /* no update is made before the guard has compared all accesses: it may
+                          * change a value that the executor reads before the loop or keeps until
+                          * its end */
     bool may_begin;      /* the first iterations may be executed in order before the inspection, and
                           * the remaining ones as a separate loop */
     bool is_over_blocks; /* its inspection is short, even if its iterations are long */
@@ -72,15 +72,14 @@ typedef struct loop_plan {
     const ir_unit *unit;  /* the same without branches that this compilation never takes */
     const loop_facts *facts;
     const plan_options *options;
-    reason
-        obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
-                   * obstacle is_shadowed and the fields after `precheck` may be unset. id:
-                   * REASON_INDEX_EXPENSIVE if the loop can be written for bins only; else NONE */
+    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
+                      * obstacle is_shadowed and the fields after `precheck` may be unset. id:
+                      * REASON_INDEX_EXPENSIVE if only bins could execute the loop; else NONE */
 
     unsigned source_count;
     const logged_source *sources;
-    const int *source_number;   /* for each of the facts' sources: its index in sources */
-    const bool *has_ready_base; /* for each of them: may its base be read before the loop? */
+    const int *source_number;   /* by source of the facts: index in sources, or SOURCE_NOT_LOGGED */
+    const bool *has_ready_base; /* likewise: may its base be read before the loop? */
     const bool *is_shadowed;    /* for each array: a pointer of its name replaces it in the body */
     dependence_precheck precheck;
     execution_plan execution;

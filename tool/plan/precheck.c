@@ -118,10 +118,9 @@ static void check_ahead(unverified_reads *s, const ir_node *node, bool as_addres
     }
 }
 
-/** May reads before the first iteration fail because of unverified values: reads of keys, bases,
- * rows known before the loop? Or reads that an iteration logs before its first statement, perhaps
- * long before the loop makes them?
- */
+/** May reads that precede the loop's own fail because of unverified values? These are reads of
+ * keys, bases and rows before the loop, and reads that an iteration logs before its first
+ * statement. */
 static bool harms_ahead(loop_plan *plan, const bool *is_suspect) {
     const loop_facts *facts = plan->facts;
     unverified_reads s = unverified_begin(plan, is_suspect, true);

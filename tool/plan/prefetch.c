@@ -11,7 +11,7 @@ enum {
      * prefetching, one of 167 gained that much (script/bench lanes, fabric's drag); with irregular
      * ones all gained. */
     LEAST_WORK = 12,
-    /* Operations in the latency of memory, some 0.3 microseconds. */
+    /* Operations of the iterations between a prefetch and its access. */
     AWAITED = 4000,
     LEAST_AHEAD = 2,
     MOST_AHEAD = 16, /* more rows occupy too many entries of the first-level TLB */
@@ -62,7 +62,7 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** `visited`: functions, each with the loop's variables that were its arguments. */
+/** `visited`: functions, with call depth and the loop's variables that were their arguments. */
 typedef struct gather_search {
     arena *arena;
     map *visited;

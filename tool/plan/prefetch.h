@@ -5,16 +5,16 @@
  * with a long iteration; compared with a light one, only if it mostly waits for memory. A static
  * estimate decides what is compiled; the runtime measures whether it pays.
  *
- * Why it is sound: a prefetch changes no value and cannot fail, and what the slice evaluates the
- * inspector evaluates as well. A slice with floating-point work might set errno where the loop does
- * not, so such slices are not evaluated for prefetches.
+ * Why it is sound: a prefetch changes no value and cannot fail, and the inspector evaluates the
+ * same slice. A slice with floating-point work might set errno where the loop does not, so such
+ * slices are not evaluated for prefetches.
  */
 #ifndef PLAN_PREFETCH_H
 #define PLAN_PREFETCH_H
 
 #include "plan/plan.h"
 
-/** Sets prefetch, for the form whose slice is a separate function. */
+/** Sets prefetch. Requires plan_execution. */
 void plan_prefetch(loop_plan *plan);
 
 #endif

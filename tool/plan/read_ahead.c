@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions that the generated text evaluates before the first iteration - the bases of arrays,
- * first and last rows, keys - must be ones that the loop evaluates anyway if it iterates: in
+ * Before the first iteration, the generated text evaluates bases of arrays, first and last rows,
+ * and keys. These must be expressions that the loop evaluates anyway if it iterates: in
  *
  *     if (s) s->b[k[t]] += 1;
  *
@@ -19,7 +19,7 @@
 typedef struct search {
     const loop_facts *facts;
     const ir_node *wanted;
-    const ir_variable *parameter; /* in a called function: any member behind this pointer is
+    const ir_variable *parameter; /* in a called function: any member reached by this pointer is
                                    * searched for, instead of `wanted` */
     bool is_found;
     bool may_have_left; /* a jump may skip the following code */
@@ -27,7 +27,7 @@ typedef struct search {
 
 static void visit(search *s, const ir_node *node);
 
-/** The constant initial value of the loop variable; false if it is not constant. */
+/** Sets *value to the counter's initial value. False: it is not constant. */
 static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
     const ir_node *first = NULL;
     if (start->kind == IR_DECLARATION && start->child_count == 1 &&
@@ -105,7 +105,7 @@ static void visit_address(search *s, const ir_node *object) {
     }
 }
 
-/** The pointer p of p->a.b; NULL: the node is no member behind a pointer. */
+/** The pointer p of p->a.b; NULL: the node is no member reached by a pointer. */
 static const ir_node *structure_of(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = ir_child(node, 0);
@@ -124,7 +124,7 @@ static bool matches(const search *s, const ir_node *node) {
     return syntax_same(node, s->wanted) || (structure && other && syntax_same(other, structure));
 }
 
-/** Visits the reads of A that a function always makes when it is called as find(A, i, j). */
+/** Visits those reads of the structure A that a function, called as find(A, i, j), always makes. */
 static void visit_callee(search *s, const ir_node *call) {
     const ir_node *callee = ir_child(call, 0);
     const ir_node *structure = s->parameter ? NULL : structure_of(s->wanted);
@@ -244,7 +244,7 @@ static bool children_are_safe(const loop_facts *facts, const ir_node *node) {
     return true;
 }
 
-/** Is it safe to compute the address of the lvalue? That reads only its pointers and subscripts. */
+/** Is it safe to compute the lvalue's address? Only pointers and subscripts in it are read. */
 static bool address_is_safe(const loop_facts *facts, const ir_node *node) {
     const ir_node *first = ir_child(node, 0);
     switch (node->kind) {

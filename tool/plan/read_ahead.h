@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Reads before the first iteration. */
+/** Decides what may be read before the first iteration. */
 #ifndef PLAN_READ_AHEAD_H
 #define PLAN_READ_AHEAD_H
 

@@ -22,8 +22,8 @@ static bool is_constant_scalar(const ir_type *type) {
            ir_type_is_scalar(inner) && inner->kind != IR_POINTER;
 }
 
-/** Is the variable used other than by reading it or its elements? Then its address matters, and a
- *  variable declared in the body exists once in each copy of the body. */
+/** Is the variable used other than by reading it or its elements? Then its address matters, which
+ *  differs between the copies of the body. */
 static bool goes_by_address(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable) {
         const ir_node *whole = node;
@@ -99,8 +99,8 @@ static bool is_integer(const ir_type *type) {
     return (type->kind == IR_INTEGER && type->size <= WIDE_SIZE) || type->kind == IR_BOOLEAN;
 }
 
-/** Records an obstacle unless counter, bound and first value fit in 64 bits, signed, in which
- *  iterations are counted. */
+/** Records an obstacle unless counter and bound are integers of at most 64 bits, the first value
+ * can be converted to one, and the step is small. */
 static void check_counter(loop_plan *plan) {
     const counted_loop *counted = &plan->facts->counted;
     const ir_type *counter = counted->counter->type;
@@ -127,8 +127,8 @@ static bool contains_base(const loop_facts *facts, const ir_node *node, unsigned
     return false;
 }
 
-/** Records an obstacle for an update that does not name its array: in the body the array's name
- * means the thread's own copy, and such an update would not reach it. */
+/** Records an obstacle for two updates in one statement. In the body, an array's name means its
+ * private copy; so an update of the copy must name the array. */
 static void check_updates(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {

@@ -54,9 +54,9 @@ static const char *value_of(const loop_plan *plan, const char *name) {
     return constant ? arena_format(plan->arena, "(%lld)", (long long)constant->value) : NULL;
 }
 
-/* The expression, if it consists of integer variables, numbers, + - * and parentheses: it has no
- * effect and can be evaluated before the loop, since it neither traps nor reads other memory. NULL:
- * it contains something else. */
+/* The expression, if it consists of integer variables, enumerators, numbers, + - * and parentheses;
+ * else NULL. Such an expression can be evaluated before the loop: it has no effect and does not
+ * trap. */
 static const char *simple_expression(const loop_plan *plan, const char *text) {
     buffer out = {0};
     size_t length;
@@ -94,7 +94,7 @@ static bool are_whole(const char *rest, const ir_type *row) {
     return !row || row->kind != IR_ARRAY; /* else brackets are missing */
 }
 
-/* Sets *it to the array's section in the clause. False: the text does not show it. */
+/* Sets *it to the array's section in the clause. False: none, or the text does not show it. */
 static bool find_section(const loop_plan *plan, const reduction_array *array, array_section *it) {
     const ir_node *base = array->base;
     const openmp_item *item =

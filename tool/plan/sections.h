@@ -7,8 +7,8 @@
 
 #include "plan/plan.h"
 
-/** The section of each array of the loop. NULL: an array is not in such a clause, its section
- * cannot be written, or the user asks for the sequential order. */
+/** The section of each array of the loop. NULL: an array has no such clause or no simple section,
+ * the loop has locks or no inspector, or the loop or the user needs the sequential order. */
 const array_section *plan_sections(const loop_plan *plan);
 
 #endif

@@ -136,8 +136,8 @@ static bool may_leave(const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Does the statement write nothing but variables of the iteration, except in updates and sums of
- *  scalars? */
+/** Does the statement write only variables, except in updates and sums of scalars, and contain no
+ *  `continue` and no loop other than over constants? */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
     const reduction_update *update = loop_update_at(p->facts, node);
@@ -259,7 +259,7 @@ static bool sums_are_in_order(const pairs *p) {
 
 /* ---- elements -------------------------------------------------------------------------------- */
 
-/** An address as stride * counter + [low, high). */
+/** The addresses by_row * row + by_column * column + [low, high). */
 typedef struct element {
     int64_t by_row, by_column, low, high;
 } element;
@@ -278,8 +278,8 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Adds the value of an operator to the address: one in 64 bits, which wraps around as addresses
- * do, or in a type that never wraps around. */
+/** Adds the result of an operator to the address. Its type must have 64 bits, so that it wraps
+ * around as addresses do, or must never wrap around. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
     if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))

@@ -30,14 +30,14 @@
  *
  * What an iteration does before and after the inner loop belongs to its row. Updates there are of
  * element i: those before the loop are made in the first tile of the row, those after it in the
- * last. So each element's updates keep their order: these come before or after all pairs (i, c),
- * and pairs (r, i) of other rows stay on the same side of them as without tiles. The other
- * statements only compute variables of the iteration: those before the inner loop are executed
- * again in each tile, those after it in the last tile. Some variables are kept from tile to tile:
- * those that the inner loop changes and that later pairs or statements read (sums of a row), and
- * those whose address is taken. One thread executes the tiles of a row, one after the other, so
- * that pairs of a row may even depend on each other. Operands of scalars are kept by row, in the
- * order of the row's tiles (emit/body/series.h); the bands add them one after the other.
+ * last. So each element's updates keep their order. Those of the row come before or after all pairs
+ * (i, c), and pairs (r, i) of other rows stay on the same side of them. The other statements only
+ * compute variables of the iteration: those before the inner loop are executed again in each tile,
+ * those after it in the last tile. Some variables are kept from tile to tile: those that the inner
+ * loop changes and later pairs or statements read (a row's sums), and those whose address is taken.
+ * One thread executes the tiles of a row, one after the other, so that pairs of a row may even
+ * depend on each other. Operands of scalars are kept by row, in the order of the row's tiles
+ * (emit/body/series.h); the bands add them one after the other.
  */
 #ifndef PLAN_TILES_H
 #define PLAN_TILES_H

@@ -19,7 +19,7 @@ enum {
     /* numbers of IR nodes, after unrolling: */
     MOST_COMPUTED = 12000,   /* a triangle's force derivatives, 9 blocks of 3 x 3, have 11,700 */
     MOST_LANE_UPDATES = 600, /* one such block; more is slow to compile, and hardly faster */
-    MOST_BODY = 300          /* if it is also compiled for owner-checked iterations */
+    MOST_BODY = 300          /* such a body is compiled twice: with owner checks and without */
 };
 
 /** The maximum number of a loop's iterations, from its text and that of the loops around it; 0:

@@ -11,8 +11,8 @@ bool is_unrolled_computation(const ir_node *loop);
 bool is_unrolled_lane_update(const ir_node *loop);
 bool is_unrolled_in_body(const ir_node *loop);
 
-/** May a pragma be inserted before a `for` of the user's text? Not if a pragma, attribute or label
- *  precedes it. */
+/** May a pragma be inserted before the `for`? Not if a macro makes it, or if a pragma, attribute or
+ * label precedes it. */
 bool takes_pragma(const loop_plan *plan, const ir_node *node);
 
 #endif

@@ -31,7 +31,6 @@ static bool depends_on_guarded(const unverified_reads *s, const ir_node *path, b
            depends_on_guarded(s, path->children[0], false);
 }
 
-/** Is the path the row, or a part of the row? */
 static bool is_of_row(const ir_node *path, const ir_node *row) {
     while (!syntax_same(path, row)) {
         if (path->child_count == 0 || path->kind == IR_CALL)
@@ -80,8 +79,9 @@ bool may_hold_address(const ir_type *type) {
     return !type || type->kind == IR_POINTER || type->kind == IR_ARRAY || type->kind == IR_RECORD;
 }
 
-/** May a read of this type in a called function read an unverified source? Each read of the callee
- *  that may overlap an update is a source of the caller, whose type is known. */
+/** May a read of this type in a called function read an unverified source? The caller's sources
+ *  include all reads of the callee that may overlap an update. With is_typed their types are
+ *  compared; without, any may. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
@@ -142,7 +142,6 @@ static bool variable_is_unverified(const unverified_reads *s, const ir_node *nod
     return s->in_callee ? callee_may_read_unverified(s, node->type) : may_read_unverified(s, node);
 }
 
-/** Does the object's address depend on an unverified value? */
 static bool unverified_address(const unverified_reads *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;

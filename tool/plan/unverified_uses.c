@@ -137,9 +137,9 @@ static bool is_part_of(const ir_node *node, const ir_node *lvalue) {
     return false;
 }
 
-/** Is the node part of an updated element? In bins the body only computes that element's address,
- * and stores the update in a record or in a private copy of the row. A row's pointer is loaded only
- * if its address is readable (REDCC_ELEMENT_BEHIND). */
+/** Is the node part of an updated element or scalar, or the pointer to a scattered row? In bins the
+ * body only computes the element's address, and stores the update in a record or in a private copy
+ * of the row. A row's pointer is loaded only if its address is readable (REDCC_ELEMENT_BEHIND). */
 static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     const loop_facts *facts = s->plan->facts;
     if (s->in_slice || s->in_callee)

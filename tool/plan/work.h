@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Estimates the work of an iteration in floating-point operations. A division or a call of a
- *  mathematical function counts as 8. */
+/** Estimates the work of an iteration in floating-point operations. A division, or a call with a
+ *  floating result, counts as 8; the body of the function called is added. */
 #ifndef PLAN_WORK_H
 #define PLAN_WORK_H
 

@@ -120,8 +120,8 @@ static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
-/** Is it a name of the runtime or the compiler? Programs that use one for something else are not
- *  translated (taken_name of plan/macros.h). */
+/** Is it a name of the runtime or the compiler? Programs that use one of the runtime's for
+ * something else are not translated (taken_name of plan/macros.h). */
 static bool is_own_name(const char *name) {
     return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
            starts_with(name, "__builtin_") || starts_with(name, "__atomic_");

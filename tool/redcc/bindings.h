@@ -8,9 +8,9 @@
 
 /**
  * Compares, for each name in the loops' new text, the declaration that the compiler finds with the
- * intended one: for a copy of the user's bytes, the declaration found there in `before`; for a name
- * written by the translator, the variable, function or type that it refers to. `after` is the
- * written text, parsed. Sets wrong[i], for loop i of `written`, to the first name with another
+ * intended one. In a copy of the user's bytes, that is the declaration found in `before`; for a
+ * name written by the translator, the variable, function or type that it refers to. `after` is the
+ * written text, parsed. Sets wrong[i], for `written->loops[i]`, to the first name with another
  * meaning, or leaves it unchanged. Thread-safe; the names belong to the units.
  */
 void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
@@ -20,7 +20,7 @@ void bindings_check(const ir_unit *before, const ir_unit *after, const emit_resu
  * type that an expression should have but does not have, or leaves it unchanged. */
 void types_check(const ir_unit *after, const emit_result *written, const char **wrong);
 
-/** The loop of `written` whose text contains this offset of the result, or -1. */
+/** The number of the piece in `written->loops` that contains this offset of the result, or -1. */
 int written_loop_at(const emit_result *written, uint32_t offset);
 
 #endif

@@ -13,16 +13,15 @@ typedef struct left_alone {
 } left_alone;
 
 typedef struct build_counts {
-    unsigned files; /**< translated, or analysed and left unchanged; a file compiled twice counts
-                     * twice */
+    unsigned files; /**< all that redcc-cc reports on; a file compiled twice counts twice */
     VECTOR(left_alone) left;                     /**< by reason, in order of appearance */
     unsigned transformed, refused[REASON_COUNT]; /**< loops */
 } build_counts;
 
 /** Runs the redcc-cc of this installation with --redcc-report on each command of
- *  FOLDER/compile_commands.json that compiles a C file. It passes on the options for loops and the
- *  compiler's flags of `o` or, if there are none, $REDCC_OPTS. Returns false if there is no
- * redcc-cc, or processes cannot be started: *counts is then empty. */
+ *  FOLDER/compile_commands.json that compiles a C file. Passes on the compiler's flags of `o` and
+ * its options for loops or, if there are none, $REDCC_OPTS. Returns false if there is no redcc-cc,
+ * the commands cannot be read, or processes cannot be started: *counts is then incomplete. */
 bool build_counts_take(arena *a, const options *o, build_counts *counts);
 
 #endif

@@ -6,9 +6,9 @@
 #include "ir/ir.h"
 #include "redcc/options.h"
 
-/** Is the file the same program for gcc? Called only if the unit names a compiler
- *  (unit->text.compiler_word): the file is parsed again with gcc's predefined names instead of
- *  clang's, and must give the same tree. False if that has errors. */
+/** Is the file the same program for gcc? True if the unit names no compiler
+ *  (unit->text.compiler_word). Otherwise the file is parsed again with gcc's predefined names
+ * instead of clang's, and must give the same tree without errors. */
 bool compilers_agree(arena *a, const source *file, const string_list *flags, const ir_unit *unit);
 
 #endif

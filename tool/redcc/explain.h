@@ -9,8 +9,8 @@
  *  ("private-not-proved"), in the arena. NULL: there is no such reason. */
 const char *explain_section(arena *a, const char *reason);
 
-/** The URI of that section, in the arena, below the one that redcc was built with
- *  (REDCC_DOCUMENTS_URI), else the installed file's. NULL: no such reason, or no such file. */
+/** The URI of the section on the reason with this id, in the arena: below the URI that redcc was
+ *  built with (REDCC_DOCUMENTS_URI), else in the installed file. NULL: there is none. */
 const char *explain_link(arena *a, const char *reason);
 
 /** Suggests the closest known reason for `word`: "the nearest is R204 private-not-proved", or

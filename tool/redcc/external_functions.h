@@ -26,8 +26,7 @@ typedef struct external_functions {
 /** Writes facts about a file's functions, one line each, for external_read. */
 void external_write(buffer *out, const exported_functions *functions);
 
-/** Adds the facts that external_write wrote about `file`; both texts must live as long as the arena
- *  does. */
+/** Adds the facts that external_write wrote about `file`; both texts must outlive the arena. */
 void external_read(arena *a, external_functions *all, const char *file, const char *text);
 
 /** The facts about functions with exactly one definition, for analysis_options.external; in the

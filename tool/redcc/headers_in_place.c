@@ -46,7 +46,8 @@ static bool is_once(arena *a, const ir_directive *directive) {
            strncmp(rest, "once", 4) == 0;
 }
 
-/* Headers named by "x.h" are searched in the folder of the file that names them. */
+/* Does the directive mean the same in the including file? A compiler looks for "x.h" first in the
+ * folder of the file that names it; `is_beside`: both files are in one folder. */
 static bool directive_fits(arena *a, const ir_directive *directive, bool is_beside) {
     const char *rest = "";
     const char *word = directive_word(a, directive->text, &rest);
@@ -62,7 +63,7 @@ static bool directive_fits(arena *a, const ir_directive *directive, bool is_besi
 }
 
 /* Does the text before `end` end with a declaration? The name of a macro there might otherwise find
- * its arguments behind the directive. */
+ * its arguments after the directive. */
 static bool ends_with_declaration(const char *text, uint32_t end, const ir_directive *directives,
                                   unsigned count) {
     char last = ';';
@@ -127,7 +128,7 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
 }
 
 /* Does the file, or a header, use the depth of inclusion? In place of its directive a header's text
- * is one level higher. */
+ * has a depth that is less by one. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
     bool is_found = strstr(unit->source->text, word) != NULL;
@@ -139,8 +140,7 @@ static bool names_level(arena *a, const ir_unit *unit) {
     return is_found;
 }
 
-/* The only directive that includes the header, in the main file; NULL: there are others, or none.
- */
+/* The only directive in the main file that includes the header; NULL: there are more, or none. */
 static const ir_inclusion *only_inclusion(const ir_unit *unit, const char *header) {
     const ir_inclusion *only = NULL;
     for (unsigned i = 0; i < unit->text.inclusion_count; i++) {

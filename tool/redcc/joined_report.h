@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One report on many files, each of which a separate process analyses: merges their reports. */
+/** Merges the reports of separate processes, each on one file, into one report. */
 #ifndef JOINED_REPORT_H
 #define JOINED_REPORT_H
 

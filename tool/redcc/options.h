@@ -14,7 +14,7 @@ typedef struct report_options {
     report_form form;
     bool form_is_given;
     bool all;                /* --all */
-    const char *file;        /* NULL: standard output */
+    const char *file;        /* NULL: standard output, or standard error for text */
     const char *inputs_file; /* --inputs-file; NULL: none */
 } report_options;
 

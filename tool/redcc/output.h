@@ -10,7 +10,7 @@
 
 /**
  * Writes `length` bytes to `path` ("-": standard output). A regular file is written under a
- * temporary name and renamed, with its mode kept: readers see the old text or the new one, and a
+ * temporary name and renamed; its mode is kept. So readers see the old text or the new one, and a
  * failure leaves the old one. Other files (a device, a pipe) are written directly. Returns NULL, or
  * a message in the arena.
  */

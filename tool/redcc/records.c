@@ -51,15 +51,15 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* The function has no record, and the program may lack it: it is an inline definition, or a
- * function of no known source, all calls of which the compiler removes. */
+/* Does the function have no record, so that the program may lack it? It is an inline definition, or
+ * no known source defines it: then the compiler may remove all its calls. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)
                    : !project_definer(r->around, f->name, NULL);
 }
 
-/* Is the function declared inside another one? Then it cannot be named at the file's end, and the
- * file gets no records. */
+/* Is the function declared inside another one? Then it cannot be named at the file's end, and its
+ * callers get no records. */
 static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     for (unsigned i = 0; !f->declared->file && i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];

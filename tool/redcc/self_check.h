@@ -13,8 +13,8 @@ bool own_runtime_header_exists(arena *a);
 
 /**
  * Parses the output as the sequential program and, with redcc's own header, which must exist, as
- * the parallel one. Sets found[i], which the caller has initialised to no reason, to the fault in
- * the text of loop i of `written`: a compiler error that the input does not have, or a name whose
+ * the parallel one. The caller has initialised found[i] to no reason. Sets it to the fault in the
+ * text of loop i of `written`: a compiler error that the input does not have, or a name whose
  * meaning has changed. An error outside of all loops is attributed to each loop. Returns whether no
  * fault was found. Texts live in the arena.
  */

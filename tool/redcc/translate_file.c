@@ -116,8 +116,8 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
                     o->pure.items[i], where);
 }
 
-/** Refuses all loops of a file that may be another program for the compiler of the build than for
- *  clang, which was analysed. */
+/** Refuses all loops of a file that may be another program for the build's compiler than the one
+ * that clang's parser read. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
                                          const ir_unit *unit, bool knows_compiler,
                                          analysis_result analysed) {
@@ -251,9 +251,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
 }
 
 /**
- * Writes the analysed file, and checks it. A loop whose text is wrong is left unchanged, and the
- * others are written again. If only a report is wanted, there is no check, because parsing the
- * output costs as much as parsing the input.
+ * Writes the analysed file, and checks it. If loops have a wrong text, writes it again: these
+ * without lanes, or unchanged if they had none. If only a report is wanted, there is no check,
+ * because parsing the output costs as much as parsing the input.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
@@ -304,7 +304,7 @@ typedef struct analysed_file {
     header_uses headers; /* headers whose text replaces their #include directives */
 } analysed_file;
 
-/** What the analysis of a file depends on. */
+/** The inputs of a file's analysis. */
 typedef struct analysing {
     arena *memory;
     const options *options;
@@ -333,8 +333,8 @@ static header_uses used_headers(arena *a, const analysed_file *file, const reaso
     return used;
 }
 
-/** May headers be put in place? The output would not change with them: so only for a report, or for
- *  redcc-cc, which translates again when a header changes. */
+/** May headers be put in place? The output then contains them, and does not follow their changes.
+ * So only for a report, or for redcc-cc, which translates again when a header changes. */
 static bool may_have_headers(const options *o) {
     return !o->output || o->compiler != COMPILER_ANY;
 }
@@ -421,8 +421,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Did redcc write this text? Then a line says so, and only directives and comments of other tools
- * precede that line. */
+/** Did redcc write this text? Then it contains the lines with which each written file begins. Other
+ * tools may have put text before them. */
 static bool is_translated(const source *file) {
     static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&

@@ -19,9 +19,9 @@ typedef struct file_outcome {
                                * other files */
 } file_outcome;
 
-/** Parses, analyses, writes and reports; messages and reports go to the files that the options
- * name. "-" is standard input. `external`: facts about other files' functions, only for a report;
- * NULL: none. */
+/** Parses, analyses, writes and reports, as the options say; messages go to standard error. Path
+ * "-" is standard input. `external`: facts about other files' functions, only for a report; NULL:
+ * none. */
 file_outcome translate_file(arena *a, const options *o, const char *path,
                             const external_functions *external);
 

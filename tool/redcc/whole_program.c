@@ -15,7 +15,7 @@
 #include "redcc/translate_file.h"
 #include "redcc/workers.h"
 
-/* Size limit of the text about a file's functions; beyond it, none of them is used. */
+/* Size limit of the text about a file's functions; a longer text is not used. */
 enum { EXPORTS_SIZE = 1 << 20 };
 
 typedef struct whole_program {

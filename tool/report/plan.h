@@ -6,12 +6,11 @@
 #include "analysis/base/facts.h"
 
 typedef struct plan_answer {
-    const char
-        *word;          /* "kept": one plan is reused while its inputs are unchanged; "remade": each
-                         * execution builds one; "none": it needs none, and its iterations are executed
-                         * once; "never": it has no parallel execution unless a
-                         * method is named. NULL: the loop is not translated */
-    const char *cause;  /* NULL if it is kept */
+    const char *word;   /* "kept": one plan is reused while its inputs are unchanged; "remade": each
+                         * execution builds one; "none": in-order binning executes the loop without
+                         * one; "never": the loop runs sequentially unless a method is named. NULL:
+                         * not translated, or run in fixed blocks */
+    const char *cause;  /* of "remade" and "never"; else NULL */
     const char *advice; /* a change of the source that would help; NULL: no simple one */
     ir_range range;     /* of the cause; empty: the loop itself */
 } plan_answer;

@@ -22,8 +22,7 @@ typedef struct report_input {
     const char *version;       /* of redcc */
     const char *order;         /* as --order takes it */
     const lanes_remark *lanes; /* of each verdict; NULL: no such form was requested */
-    bool all;                  /* include loops that need no review: in SARIF, results of kind
-                                * `pass` */
+    bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */
     const char *(*explain)(arena *a, const char *reason);

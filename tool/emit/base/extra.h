@@ -3,7 +3,6 @@
 #ifndef EMIT_BASE_EXTRA_H
 #define EMIT_BASE_EXTRA_H
 
-/** A value that slice or body need and that is not a variable of the user. */
 typedef struct extra_value {
     const char *name;
     const char *declaration; /* of a parameter, with the name */

@@ -5,7 +5,7 @@
 
 #include "emit/base/loop.h"
 
-/** Declares the variables that replace such elements, of the slice (`of_slice`) or all. */
+/** Declares the variables that replace such elements: those of the slice (`of_slice`), or all. */
 void declare_forwards(loop_text *loop, writer *out, bool of_slice);
 /** The variable that replaces a read of this node, or NULL. */
 const char *forward_read_name(const loop_text *loop, const ir_node *node);

@@ -2,9 +2,9 @@
 /**
  * Induction variables (analysis/private/induction.h): the body for iteration redcc__k begins with
  * the value on entry, redcc__from_N, plus redcc__k steps. If an inner loop of a triangle steps the
- * variable, it is instead one step for each preceding inner iteration (redcc/tiles.h). The value is
- * computed in words of 64 bits, which wrap around; converted to the variable's type, it is that of
- * the sequential loop.
+ * variable, there is instead one step for each preceding inner iteration (redcc/tiles.h). The value
+ * is computed in words of 64 bits, which wrap around. Converted to the variable's type, it is that
+ * of the sequential loop.
  */
 #include "emit/base/step.h"
 

@@ -6,10 +6,10 @@
 
 #include "emit/base/loop.h"
 
-/** declare_entry_values declares redcc__from_N, the values on entry: of the variables that the
- * header sets (`by_header`), or of the others. stepped_value is the value with which private
- * variable `number` begins an iteration, " = ...". write_stepped_values assigns the values after
- * the loop. */
+/** declare_entry_values declares redcc__from_N, the values on entry, of the variables that the
+ * header sets (`by_header`); or those of the others, and invariant steps. stepped_value is the
+ * value with which private variable `number` begins an iteration, " = ...". write_stepped_values
+ * assigns the values after the loop. */
 void declare_entry_values(loop_text *loop, writer *out, bool by_header);
 const char *stepped_value(loop_text *loop, unsigned number);
 void write_stepped_values(loop_text *loop, writer *out);

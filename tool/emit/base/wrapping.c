@@ -52,8 +52,8 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
 
 /* ---- addresses ----------------------------------------------------------------------------- */
 
-/** The subscript of a span in 64 bits. It increases by a constant with the counter; steps_with
- * in analysis/base/row_steps.c says of what it may consist. */
+/** The subscript of a span in 64 bits. It increases by a constant with the counter; steps_with in
+ * analysis/base/row_steps.c says what it may contain. */
 static const char *wide_number(arena *a, const ir_node *node, const ir_variable *counter,
                                ir_c_rename rename, void *context) {
     if (node->kind == IR_CAST && expression_mentions(node, counter))

@@ -6,12 +6,13 @@
 #include "analysis/overlap/row_address.h"
 #include "emit/base/loop.h"
 
-/** The text of a signed sum, product or shift that wraps around, as a primary expression. NULL: the
- *  node is none of these. `rename` and its context as in ir_c_expression. */
+/** The text of a signed sum, difference, product, negation or left shift that wraps around, as a
+ *  primary expression. NULL: the node is none of these, or cannot be spelled. `rename` and its
+ * context as in ir_c_expression. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
 
-/** The address as a number, redcc_size; NULL: it cannot be spelled. `counter` may be NULL: the
- *  subscript that increases with this counter of a span is computed in 64 bits. */
+/** The address as a number, redcc_size; NULL: it cannot be spelled. `counter`: of a span, or NULL;
+ * a subscript that increases with it is computed in 64 bits. */
 const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
                            ir_c_rename rename, void *context);
 

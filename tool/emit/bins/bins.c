@@ -25,7 +25,6 @@ static bool is_floating(value_kind kind) {
     return kind == VALUE_FLOAT || kind == VALUE_DOUBLE;
 }
 
-/** The type of an array's rows. */
 static const char *row_type(loop_text *loop, unsigned array) {
     const ir_type *element = loop->facts->arrays[array].element;
     const char *type = origin_type(loop->arena, element);
@@ -134,8 +133,8 @@ static const char *part_of_row_text(const loop_text *loop, const reduction_updat
     return text;
 }
 
-/** The value of a nest's counter at the part, in its promoted type; NULL: the node is
- *  no counter. */
+/** The value of a nest's counter in iteration `part`, in its promoted type; NULL: the node is no
+ *  counter. */
 static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
                                      const ir_node *node, unsigned part) {
     const struct nest_level *level = nest_level_of(nest, node);
@@ -338,7 +337,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
-/** May a record make several updates of a float, each of which must round to float? */
+/** May a record make several updates of a float, with rounding to float after each? */
 static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
     bool has_floats = false;
     for (unsigned i = 0; i < stream->array_count; i++) {
@@ -428,7 +427,6 @@ void write_streams(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
-/** Are the updates of all streams exact in any order? */
 static bool are_all_exact(const loop_text *loop) {
     for (unsigned i = 0; i < bins_stream_count(loop); i++)
         if (!is_exact(loop, &loop->bins->streams[i]))

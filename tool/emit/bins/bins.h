@@ -20,10 +20,11 @@ const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename 
 bool bins_have_spans(const loop_text *loop);
 /** Writes the apply functions. */
 void write_bins(loop_text *loop, writer *out);
-/** Writes the descriptions of the streams, of which there are bins_stream_count. */
+/** Writes the descriptions of the bins_stream_count streams. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
-/** The arguments of REDCC_PARALLEL_BINNED for the streams. */
+/** Arguments of REDCC_PARALLEL_BINNED: the sources to log and whether updates are exact; the
+ * streams. */
 const char *bins_phase(loop_text *loop);
 const char *streams_argument(loop_text *loop);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Text for spans: inner loops over a row behind a pointer whose updates are one record
- * (plan/bins.h). The record has the row's address, the number of elements and the operands. */
+/** Text for spans: inner loops over a row, whose iterations are one record (plan/bins_span.c). The
+ * record has the first element, the number of elements, and variables that the operands use. */
 #ifndef EMIT_BINS_SPANS_H
 #define EMIT_BINS_SPANS_H
 
@@ -8,8 +8,8 @@
 #include "emit/text/print.h"
 #include "plan/bins.h"
 
-/** The text that appends the record of a span; the loop itself is executed only if there are no
- *  bins. */
+/** The text that appends the record of a span; the loop itself is executed only if iterations do
+ * not append records. */
 const char *push_span_text(loop_text *loop, const bins_record *record, ir_c_rename name);
 /** Writes the type of a span's record. */
 void write_span_record(loop_text *loop, const bins_record *record, writer *out);

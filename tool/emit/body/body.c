@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The executor's body: the user's bytes. The bases of the reduction arrays are replaced if they are
- * not shadowed, and each update in owner-checked runs first checks that the thread owns the
- * element. Statements made by macros are printed from the IR if a part of them must change; all
- * others keep every byte.
+ * The executor's body: the user's bytes, with edits. The bases of the reduction arrays are replaced
+ * if they are not shadowed, and each update in owner-checked runs first checks that the thread owns
+ * the element. A statement is printed from the IR if a part that a macro made must change, or if it
+ * keeps a value (an operand, a forwarded store, a live-out).
  */
 #include "emit/body/body.h"
 
@@ -36,12 +36,13 @@
 
 /* ---- the printer's hooks ------------------------------------------------------------------- */
 
-/** Does the update need braces, so that a following `else` does not belong to its `if`? */
+/** Does the update need braces after the `if` that checks ownership? An expression needs none. */
 static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** The text before an update: the ownership check, or what appends a record. */
+/** The text before an update: the ownership check; in bins, what appends a record; in tiles,
+ * braces. */
 static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
         return tiles_begin_with(loop->tiles, update->statement)
@@ -163,7 +164,8 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
     return false;
 }
 
-/** Is the node an enumerator that the function declares, or a sizeof with a renamed operand? */
+/** Is the node an enumerator that the function declares before the body, or a sizeof with a renamed
+ * operand? */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
@@ -235,7 +237,7 @@ static void choose_noted(body_copy *copy, const ir_node *node) {
         choose_noted(copy, node->children[i]);
 }
 
-/** A call of an accessor is written as the address it was analysed as. */
+/** Prints statements with calls of accessors: such a call is written as the element it returns. */
 static void choose_accessors(body_copy *copy, const ir_node *node) {
     if (node->flags & IR_FROM_CALL)
         print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
@@ -278,8 +280,8 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** A loop with updates is unrolled only in plain iterations and in tiles: in other forms it would
- * be slow to compile. There, its step hides the counter's value from the compiler. */
+/** A loop with updates is unrolled only in plain iterations and in tiles. In other forms that would
+ * be slow to compile: there the step hides the counter's value from the compiler. */
 static void keep_others_rolled(body_copy *copy, const ir_node *node) {
     const ir_node *step = node->children[2];
     const char *const text = copy->loop->unit->source->text;
@@ -327,7 +329,6 @@ static void check_owners(body_copy *copy) {
 
 /* ---- the copy ------------------------------------------------------------------------------ */
 
-/** The statement printed from the IR, on one line. */
 static const char *printed_text(body_copy *copy, const ir_node *statement) {
     writer line = {.on_one_line = true};
     copy->printer.out = &line;

@@ -28,7 +28,6 @@ const char *wrapping_name(const ir_node *node, void *context) {
     return name ? name : wrapping_operation(a, node, wrapping_name, context);
 }
 
-/** The line ends in bytes [begin, end). */
 static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end) {
     const char *text = loop->unit->source->text;
     buffer out = {0};

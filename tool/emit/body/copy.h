@@ -18,9 +18,9 @@ typedef struct body_copy {
     const ir_node *within;           /* the statement being printed */
 } body_copy;
 
-/** A hook that spells a node of the body, with the loop_text as context: the local name of an
- * array's base, of an own element, of a value that is forwarded, or of a variable passed by
- * address. NULL: as the user wrote it. */
+/** A hook that spells a node of the body; the context is the loop_text. It gives the local name of
+ * an array's base, of an own element, of a forwarded value, or of a variable passed by address.
+ * NULL: as the user wrote it. */
 const char *local_name(const ir_node *node, void *context);
 /** As local_name, for code that the program may not execute: signed arithmetic wraps around. */
 const char *wrapping_name(const ir_node *node, void *context);
@@ -29,8 +29,8 @@ const char *wrapping_name(const ir_node *node, void *context);
  *  its line number. */
 void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text);
 
-/** Lets the statement be printed from the IR instead of being copied; if a macro made it, the
- *  innermost statement around it that can be replaced. */
+/** Lets the statement be printed from the IR instead of being copied; if it is a part of a macro's
+ *  text, the whole statement that the macro makes. Records an obstacle if that is impossible. */
 void print_instead(body_copy *copy, const ir_node *statement);
 bool is_printed(const body_copy *copy, const ir_node *node);
 

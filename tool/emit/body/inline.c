@@ -10,7 +10,7 @@
 #include "emit/body/body.h"
 #include "emit/text/origin.h"
 
-/** Does a pragma of the file change compiler options? Functions with different options may not be
+/** May a pragma of the file change compiler options? Functions with different options may not be
  *  inlined into each other. */
 static bool has_compiler_pragmas(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)

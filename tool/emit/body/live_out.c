@@ -61,8 +61,8 @@ void take_conditional_live_outs(loop_text *loop, writer *out) {
 
 /* ---- assigned in each iteration ------------------------------------------------------------ */
 
-/** An initial value that prevents warnings: compilers do not know that the loop has iterations,
- * each of which assigns the variable. */
+/** An initial value that prevents warnings: compilers do not know that the loop iterates and that
+ * each iteration assigns the variable. */
 static const char *start_value(const ir_type *type) {
     if (type->size < 0)
         return "";

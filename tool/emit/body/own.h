@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Own elements: the value that an iteration gives one is kept, and stored after the loop. */
+/** Own elements: each iteration's value is kept, and stored after the loop. */
 #ifndef EMIT_BODY_OWN_H
 #define EMIT_BODY_OWN_H
 

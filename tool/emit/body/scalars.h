@@ -11,16 +11,17 @@
 const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made);
 const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made);
 unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made);
-/** At the call: the requests to the runtime. */
+/** At the call: tells the runtime which values the iterations keep. */
 void declare_operands(loop_text *loop, writer *out);
 /** At the beginning of an iteration: declares redcc__so_far_N, in which an iteration accumulates
  * the operands of an update in an inner loop. */
 void declare_repeated_operands(loop_text *loop, writer *out);
-/** At the beginning of an iteration: records that conditional updates are not executed so far. */
+/** At the beginning of an iteration: records that conditional updates are not executed so far, and
+ * begins the series. */
 void note_no_operands(loop_text *loop, writer *out);
 /** In place of update `number`: keeps its operand `value`. */
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);
-/** After the loop: makes the updates. */
+/** After the loop: makes the updates, and stores own elements. */
 void apply_operands(loop_text *loop, writer *out);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Floating scalars that inner loops accumulate into: redcc/series.h. */
+/** Floating scalars that inner loops accumulate into (redcc/series.h). */
 #ifndef EMIT_BODY_SERIES_H
 #define EMIT_BODY_SERIES_H
 
@@ -21,9 +21,9 @@ void finish_series(loop_text *loop, writer *out);
 /** The statement after a tile that adds the operands of a band that is done; "": there is no
  * series. */
 const char *series_of_band(loop_text *loop);
-/** At the beginning of an iteration. */
+/** At the beginning of an iteration: begins its operands; in a tile, resumes them. */
 void begin_series(loop_text *loop, writer *out);
-/** At the end of a row's inner iterations in a tile. */
+/** At the end of a row's inner iterations in a tile: suspends the iteration's operands. */
 void leave_series(loop_text *loop, writer *out);
 /** In place of update `number`: appends its operand `value`. */
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value);

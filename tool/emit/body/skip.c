@@ -45,8 +45,8 @@ static const char *first_value_name(const ir_node *node, void *context) {
     return text && type ? arena_format(it->loop->arena, "((%s)%s)", type, text) : NULL;
 }
 
-/** The check of all rows that the nested loop steps through. If that has no iterations, there are
- * no rows, and any answer is correct. */
+/** The check of all rows that the nested loop steps through. If the loop has no iterations, there
+ * are no rows, and any answer is correct. */
 static const char *span_check(loop_text *loop, const skip_row *skipped) {
     arena *a = loop->arena;
     const counted_loop *counted = &skipped->span->counted;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The form for several iterations at once (redcc/lanes.h). */
+/** Writes the form for several iterations at once (redcc/lanes.h). */
 #ifndef EMIT_LANES_LANES_H
 #define EMIT_LANES_LANES_H
 
 #include "emit/base/loop.h"
 
-/** The function that executes several iterations at once, if requested and possible; sets
+/** Writes the function that executes several iterations at once, if requested and possible; sets
  *  loop->lanes and the outcome. */
 void write_lanes(loop_text *loop, writer *out);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Statements that compute, for all lanes, and the functions that they call. Control flow must be
- * the same for all lanes: loops and conditions on uniform values.
+ * Statements that compute, for all lanes, and the functions that they call. Loops must be the same
+ * for all lanes; an `if` may be executed by some lanes only (mask.c).
  */
 #include <assert.h>
 #include <string.h>
@@ -63,7 +63,7 @@ static const char *zeros(vectoriser *l, const ir_type *type) {
     return text;
 }
 
-/** The initialiser of an array: zeros, or a value for each element of one row. */
+/** The initialiser of an array: zeros or, in one dimension, a value for each element. */
 static const char *array_initialiser(vectoriser *l, const ir_type *type, const ir_node *value) {
     arena *a = l->loop->arena;
     if (value->kind == IR_INITIALIZERS && is_zero(value))

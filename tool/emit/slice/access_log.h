@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inspector being written: the addresses logged so far, and the form of logging. */
+/** The inspector being written: the rows logged so far, and how the current code is spelled. */
 #ifndef EMIT_SLICE_ACCESS_LOG_H
 #define EMIT_SLICE_ACCESS_LOG_H
 
@@ -49,7 +49,7 @@ const char *inspector_note_variable(const ir_node *node, void *context);
  *  because C defines a pointer only within its object. `counter`: that of a span around the row; or
  *  NULL. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
-/** The text of the row in the slice, where variables replace stored values. */
+/** The row as the slice spells it, with variables in place of stored values. */
 const char *log_row_text(inspector *self, const ir_node *row);
 
 /** Logs an update of a row of array `number` (`is_update`), or a read of one of source `number`.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The inspector: the slice of the body that computes the subscripts, with macros at the body's
- * updates and reads that log their addresses or compare them with those of preceding iterations.
+ * The inspector: the slice of the body that computes the subscripts. At the body's updates and
+ * reads it has macros that log their addresses or compare them with those of preceding iterations.
  */
 #include "emit/slice/slice.h"
 
@@ -167,14 +167,14 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Do enclosing spans log all rows of the span, and does nothing after it need its counter? Then it
- * is not written. */
+/** Do enclosing spans log all rows of the span, and does nothing else need its header? Then the
+ * span is not written. */
 static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
     return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
 }
 
-/** Prints the nested spans, each of which logs its rows once. */
+/** Prints the nested spans, except those whose rows enclosing spans log. */
 static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *node) {
     if (span_of(facts, node)) {
         if (!is_logged_elsewhere((inspector *)p, span_of(facts, node)))
@@ -263,7 +263,7 @@ static const char *step_of(printer *p, const ir_node *loop) {
     return hull_step((inspector *)p, loop);
 }
 
-/** Records an obstacle for each access of the loop that is not logged. */
+/** Records an obstacle if an access of the loop is not logged. */
 static void check_all_logged(inspector *self) {
     const loop_facts *facts = self->loop->facts;
     for (unsigned i = 0; i < facts->update_count && facts->slice.has_rows; i++)

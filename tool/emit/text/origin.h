@@ -6,8 +6,8 @@
  * before a type, that type; before an expression that replaces one of the program, its required
  * type; before a copy of the user's bytes, their offset. A mark is enclosed in the bytes 1 and 2,
  * which C text contains only in strings and comments. When the text is complete, the marks are
- * removed and their positions kept, so that self_check.h can compare what the compiler takes each
- * name for with the declaration that is meant.
+ * removed and their positions kept: self_check.h compares the declaration that the compiler finds
+ * for each name with the one that is meant.
  */
 #ifndef EMIT_TEXT_ORIGIN_H
 #define EMIT_TEXT_ORIGIN_H

@@ -13,8 +13,8 @@ struct printer {
                          * control statements are printed as if executed once */
     ir_c_rename rename; /* as in ir_c_expression */
     void *context;
-    /** Called before each statement, kept or not; true: the statement is skipped. Also before each
-     *  declarator of a block's declarations, where the result is ignored. */
+    /** Called before each statement, kept or not; true: it is skipped. Also called, with the result
+     * ignored, before each declarator of a block's declarations. */
     bool (*before)(printer *p, const ir_node *statement);
     /** May be NULL. True: in place of this `for`, its initialisation is printed, and then an `if`
      *  with its condition, whose body print_at_once prints. */

@@ -13,7 +13,7 @@ typedef struct writer {
 } writer;             /* {0} is an empty one */
 
 /** Appends the indentation, the formatted text and a line end. Lines of more than 100 columns are
- * broken, unless they contain bytes of the user. */
+ * broken, unless they are directives or contain the user's bytes. */
 void writer_line(writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /** The text, in the arena; the writer is empty again. */
 const char *writer_text(arena *a, writer *w);
@@ -24,7 +24,7 @@ const char *text_quoted(arena *a, const char *text);
 const char *text_expression(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
 /** As text_expression, in parentheses unless a cast or & before the text applies to all of it. */
 const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
-/** The expression, in parentheses if a macro would split it into several arguments. */
+/** The expression, in parentheses if it has a comma, at which a macro might split it. */
 const char *macro_argument(arena *a, const char *marked);
 /** `type name` without initialiser or `;`; NULL if the type cannot be spelled. */
 const char *text_declaration(arena *a, const ir_type *type, const char *name);
