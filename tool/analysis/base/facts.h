@@ -405,6 +405,9 @@ typedef struct loop_inspector {
                   * which computes each iteration once, can execute the loop */
     unsigned span_count;
     const loop_span *spans;
+    unsigned hull_count;
+    const ir_node *const *hulls; /* loops whose first and last iterations have the extreme addresses
+                                  * of their updates (loop/hulls.h) */
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
     const ir_node *const *key;
 } loop_inspector;
