@@ -6,10 +6,12 @@
 
 #include <math.h>
 
-enum { N = 1500, SIDE = 40, REACH = 3, DEEP = 12 };
+enum { N = 1500, SIDE = 40, REACH = 3, DEEP = 12, STRIPES = 4 };
 static float x[N], y[N], z[N], value[N], grid[SIDE * SIDE], weight[SIDE * SIDE];
 static double plane[SIDE][SIDE], box[DEEP * DEEP * DEEP], rows[SIDE * SIDE];
-static int row_of[SIDE], width_of[SIDE], first_of[N], wide;
+static int row_of[SIDE], width_of[SIDE], first_of[N], stripe_of[N], wide;
+static double total[1];
+static float striped[7 * STRIPES * 32 * 256];
 typedef struct cell {
     float sum[2];
     int count;
@@ -87,6 +89,29 @@ static void few_rows(int n) {
     }
 }
 
+/* A share of the iterations updates several stripes of rows: owners have more than one range. */
+static void in_stripes(int n, const int *rows_at, float *g) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = first_of[t] + 4, top = rows_at[t];
+        for (int i = top - 2; i <= top + 2; i++) // HULL
+            for (int j = left - 2; j <= left + 2; j++)
+                g[i * 256 + j] += value[t] * (float)(i - j);
+    }
+}
+
+/* A sum in the order of the loop, also of iterations that update no element. */
+static void with_sum(int n, float *g) {
+    double sum = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t], top = (int)y[t], count = first_of[t] % 4;
+        sum += (double)value[t];
+        for (int i = top; i < top + count; i++) // HULL
+            for (int j = left; j < left + 3; j++)
+                g[i * SIDE + j] += value[t] * (float)(j - i);
+    }
+    total[0] += sum;
+}
+
 /* ---- the first and last rows are not the extreme ones ---- */
 
 static void circle(int n) {
@@ -113,6 +138,17 @@ static void squares(int n) {
         for (int i = -5; i <= 2; i++)
             for (int j = left; j < left + 4; j++)
                 rows[i * i * SIDE + j] += (double)value[t];
+    }
+}
+
+static void squares_in_a_variable(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t] / 4;
+        for (int i = -5; i <= 2; i++) {
+            const int row = i * i * SIDE;
+            for (int j = left; j < left + 4; j++)
+                rows[row + j] += (double)value[t];
+        }
     }
 }
 
@@ -152,6 +188,7 @@ int main(void) {
         z[t] = 3 + (float)case_below((SIDE - 8) * 8) / 8;
         value[t] = (float)case_value();
         first_of[t] = case_below(SIDE);
+        stripe_of[t] = (t * 7 / N + 7 * case_below(STRIPES)) * 32 + 2 + case_below(28);
     }
     for (int i = 0; i < SIDE; i++) {
         row_of[i] = case_below(SIDE);
@@ -168,6 +205,9 @@ int main(void) {
         circle(N);
         by_table(N);
         squares(N);
+        squares_in_a_variable(N);
+        with_sum(N, grid);
+        in_stripes(N, stripe_of, striped);
         remainders(N);
         some_rows(N);
         narrow_counter(N);
@@ -178,4 +218,6 @@ int main(void) {
     CASE_PRINT(box);
     CASE_PRINT(rows);
     CASE_PRINT(cells);
+    CASE_PRINT(striped);
+    CASE_PRINT(total);
 }
