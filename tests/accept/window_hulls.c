@@ -106,8 +106,11 @@ static void with_sum(int n, float *g) {
         const int left = (int)x[t], top = (int)y[t], count = first_of[t] % 4;
         sum += (double)value[t];
         for (int i = top; i < top + count; i++) // HULL
-            for (int j = left; j < left + 3; j++)
-                g[i * SIDE + j] += value[t] * (float)(j - i);
+            for (int j = left; j < left + 3; j++) {
+                const float v = value[t] / (float)(1 + j + i);
+                g[i * SIDE + j] += v;
+                sum += (double)v;
+            }
     }
     total[0] += sum;
 }
