@@ -17,6 +17,16 @@ void by_subscript(int n, const int *k, double *h) {
         beyond(h, k[t], 1.0);
 }
 
+static void pair(double *p, int i, int j, double v) {
+    p[i] += v;
+    p[j] -= v;
+}
+void by_pairs(int n, const double *x, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        for (int j = i + 1; j < n; j++)
+            pair(h, i, j, x[i] - x[j]);
+}
+
 static void next_to(double *p, double v) {
     p[1] += v;
 }

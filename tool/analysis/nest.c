@@ -54,7 +54,7 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            conflict_of(an->facts, loop, a->lvalue) == kind)
+            conflict_at(an->facts, loop, a->lvalue, call) == kind)
             return true;
     }
     return false;

@@ -35,11 +35,33 @@ bool candidate_is_tiny(const ir_node *loop) {
     return distance <= TINY;
 }
 
+/* Does the function consist of a few statements: no loop, and only calls of others like it? */
+static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth);
+
+static bool calls_straight(const ir_unit *unit, const ir_node *callee, unsigned depth) {
+    return callee->kind == IR_FUNCTION &&
+           (library_find(unit, callee->function) || is_straight(unit, callee->function, depth));
+}
+
+static bool has_few_statements(const ir_unit *unit, const ir_node *node, unsigned depth) {
+    if (ir_is_loop(node) ||
+        (node->kind == IR_CALL && !calls_straight(unit, node->children[0], depth)))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!has_few_statements(unit, node->children[i], depth))
+            return false;
+    return true;
+}
+
+static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth) {
+    enum { DEEPEST = 3 }; /* also ends recursion */
+    return function->body && depth < DEEPEST && has_few_statements(unit, function->body, depth + 1);
+}
+
 bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
     if (ir_is_loop(body) && !candidate_is_tiny(body))
         return false;
-    const ir_node *callee = body->kind == IR_CALL ? body->children[0] : NULL;
-    if (callee && (callee->kind != IR_FUNCTION || !library_find(unit, callee->function)))
+    if (body->kind == IR_CALL && !calls_straight(unit, body->children[0], 0))
         return false;
     for (unsigned i = 0; i < body->child_count; i++)
         if (!candidate_is_short(unit, body->children[i]))
@@ -68,16 +90,6 @@ static void add(dependence *d, const ir_variable *variable) {
     d->has_changed = true;
 }
 
-static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
-    if (!is_dependent && !depends(d, call))
-        return;
-    for (unsigned i = 1; i < call->child_count; i++) {
-        const ir_type *type = call->children[i]->type;
-        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY))
-            add(d, ir_root_variable(call->children[i]));
-    }
-}
-
 static bool is_pointer(const ir_variable *variable) {
     return variable->type->kind == IR_POINTER;
 }
@@ -91,6 +103,37 @@ static bool address_depends(const dependence *d, const ir_node *lvalue) {
     if (lvalue->kind == IR_MEMBER)
         return address_depends(d, lvalue->children[0]);
     return depends(d, lvalue);
+}
+
+/* Does the argument name other memory, or another element, as the counter changes? */
+static bool argument_depends(const dependence *d, const ir_node *argument) {
+    const ir_type *type = argument->type;
+    if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
+        return type && type->kind == IR_INTEGER && depends(d, argument);
+    if (type->kind == IR_ARRAY)
+        return address_depends(d, argument);
+    if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
+        return address_depends(d, argument->children[0]);
+    if (argument->kind == IR_BINARY)
+        return argument_depends(d, argument->children[0]) ||
+               argument_depends(d, argument->children[1]);
+    return depends(d, argument);
+}
+
+/* Its function may fill what the arguments point to, or update it. */
+static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
+    if (!is_dependent && !depends(d, call))
+        return;
+    bool has_pointer = false, is_elsewhere = is_dependent;
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_type *type = call->children[i]->type;
+        is_elsewhere |= argument_depends(d, call->children[i]);
+        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY)) {
+            has_pointer = true;
+            add(d, ir_root_variable(call->children[i]));
+        }
+    }
+    d->has_update |= has_pointer && is_elsewhere;
 }
 
 /* The table w of *p, *p++, p[k] with p in w; NULL: another lvalue. */

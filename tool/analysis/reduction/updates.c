@@ -380,7 +380,8 @@ static bool is_in_array(const loop_access *write) {
 static bool is_irregular_call(const loop_analysis *j, const loop_access *write) {
     const ir_node *target =
         write->access.callee ? update_call_of(j, write->access.node).target : NULL;
-    return target && conflict_is_shared(j->an->facts, j->loop, target);
+    return target &&
+           conflict_at(j->an->facts, j->loop, target, write->access.node) == CONFLICT_SHARED;
 }
 
 static bool check_write(loop_analysis *j, loop_access *write) {
