@@ -114,6 +114,9 @@ static bool refuse_variable(loop_analysis *j, const loop_access *store) {
     if (!is_scalar && store->access.lvalue->kind != IR_VARIABLE && !store->access.callee &&
         is_updated_too(j, store))
         return analysis_refuse(j, REASON_ARRAY_STORED, store->access.node, variable->name);
+    if (is_scalar && store->access.callee) /* a sum that a function adds to, acc(&s, v) */
+        return analysis_refuse(j, REASON_CALLEE_UPDATES, store->access.node,
+                               store->access.callee->name);
     return analysis_refuse(j, is_scalar ? REASON_SCALAR_CARRIED : REASON_PRIVATE_NOT_PROVED, node,
                            variable->name);
 }
