@@ -57,6 +57,12 @@ static void lists(int n) {
             add_at(h, node[k], x[i % N][2]);
 }
 
+static void blocks(int n, int m) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int k = 0; k < m; k++)
+            add_at(h, node[i * m + k], x[i % N][0]);
+}
+
 int main(void) {
     case_values(&x[0][0], 3 * N);
     case_subscripts(node, 4 * ROWS, N);
@@ -67,6 +73,7 @@ int main(void) {
         by_subscript(N - round);
         rows(N - round);
         lists(ROWS);
+        blocks(ROWS, 4 - round);
     }
     CASE_PRINT(potential);
     CASE_PRINT(f);

@@ -10,6 +10,12 @@ void repeated(int n, int times, const int *s, double *restrict h) {
             h[s[t]] += r;
 }
 
+void repeated_by_call(int n, int times, const int *s, double *restrict h) {
+    for (int r = 0; r < times; r++)
+        for (int t = 0; t < n; t++) // EXPECT: transform h(+)
+            add(&h[s[t]], r);
+}
+
 void few_around(int n, const int *s, double *restrict h) {
     for (int r = 0; r < 3; r++)
         for (int t = 0; t < n; t++) // EXPECT: transform h(+)

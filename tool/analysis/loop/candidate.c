@@ -16,6 +16,7 @@ typedef struct dependence {
     arena *memory;
     variable_facts *facts;
     VECTOR(const ir_variable *) variables;
+    VECTOR(const ir_variable *) filled; /* by calls: what they contain or point to depends */
     bool has_changed;
     bool has_update; /* an update that depends on the counter */
 } dependence;
@@ -69,11 +70,24 @@ bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
     return true;
 }
 
+static bool is_dependent_variable(const dependence *d, const ir_variable *variable) {
+    for (unsigned i = 0; i < d->variables.count; i++)
+        if (d->variables.items[i] == variable)
+            return true;
+    return false;
+}
+
+static bool is_filled(const dependence *d, const ir_variable *variable) {
+    for (unsigned i = 0; i < d->filled.count; i++)
+        if (d->filled.items[i] == variable)
+            return true;
+    return false;
+}
+
 static bool depends(const dependence *d, const ir_node *node) {
-    if (node->kind == IR_VARIABLE)
-        for (unsigned i = 0; i < d->variables.count; i++)
-            if (d->variables.items[i] == node->variable)
-                return true;
+    if (node->kind == IR_VARIABLE &&
+        (is_dependent_variable(d, node->variable) || is_filled(d, node->variable)))
+        return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (depends(d, node->children[i]))
             return true;
@@ -81,12 +95,16 @@ static bool depends(const dependence *d, const ir_node *node) {
 }
 
 static void add(dependence *d, const ir_variable *variable) {
-    for (unsigned i = 0; variable && i < d->variables.count; i++)
-        if (d->variables.items[i] == variable)
-            return;
-    if (!variable)
+    if (!variable || is_dependent_variable(d, variable))
         return;
     VECTOR_PUSH(d->memory, &d->variables, variable);
+    d->has_changed = true;
+}
+
+static void add_filled(dependence *d, const ir_variable *variable) {
+    if (!variable || is_filled(d, variable))
+        return;
+    VECTOR_PUSH(d->memory, &d->filled, variable);
     d->has_changed = true;
 }
 
@@ -105,35 +123,56 @@ static bool address_depends(const dependence *d, const ir_node *lvalue) {
     return depends(d, lvalue);
 }
 
-/* Does the argument name other memory, or another element, as the counter changes? */
-static bool argument_depends(const dependence *d, const ir_node *argument) {
+static bool is_address(const ir_node *argument) {
     const ir_type *type = argument->type;
-    if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
-        return type && type->kind == IR_INTEGER && depends(d, argument);
-    if (type->kind == IR_ARRAY)
-        return address_depends(d, argument);
-    if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
-        return address_depends(d, argument->children[0]);
-    if (argument->kind == IR_BINARY)
-        return argument_depends(d, argument->children[0]) ||
-               argument_depends(d, argument->children[1]);
-    return depends(d, argument);
+    return type && (type->kind == IR_POINTER || type->kind == IR_ARRAY);
+}
+
+/* Does the address that is passed change with the counter? The memory there may. */
+static bool argument_depends(const dependence *d, const ir_node *argument) {
+    switch (argument->kind) {
+    case IR_VARIABLE:
+        return !ir_is_array(argument) && is_dependent_variable(d, argument->variable);
+    case IR_INDEX:
+        return argument_depends(d, argument->children[0]) || depends(d, argument->children[1]);
+    case IR_MEMBER:
+    case IR_UNARY:
+    case IR_BINARY:
+    case IR_CAST:
+        for (unsigned i = 0; i < argument->child_count; i++)
+            if (argument_depends(d, argument->children[i]))
+                return true;
+        return false;
+    default:
+        return depends(d, argument);
+    }
+}
+
+/* Do the elements that the call may update depend on the counter? Those of add(&h[k], v) do if an
+ * address does; those of add_at(h, k, v) if an integer does. */
+static bool call_depends(const dependence *d, const ir_node *call) {
+    bool has_address = false, is_of_array = true, is_elsewhere = false, has_subscript = false;
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_node *argument = call->children[i];
+        if (is_address(argument)) {
+            has_address = true;
+            is_of_array &= argument->kind == IR_VARIABLE || argument->kind == IR_MEMBER;
+            is_elsewhere |= argument_depends(d, argument);
+        } else if (argument->type && argument->type->kind == IR_INTEGER) {
+            has_subscript |= depends(d, argument);
+        }
+    }
+    return is_elsewhere || (has_address && is_of_array && has_subscript);
 }
 
 /* Its function may fill what the arguments point to, or update it. */
 static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
     if (!is_dependent && !depends(d, call))
         return;
-    bool has_pointer = false, is_elsewhere = is_dependent;
-    for (unsigned i = 1; i < call->child_count; i++) {
-        const ir_type *type = call->children[i]->type;
-        is_elsewhere |= argument_depends(d, call->children[i]);
-        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY)) {
-            has_pointer = true;
-            add(d, ir_root_variable(call->children[i]));
-        }
-    }
-    d->has_update |= has_pointer && is_elsewhere;
+    d->has_update |= is_dependent || call_depends(d, call);
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (is_address(call->children[i]))
+            add_filled(d, ir_root_variable(call->children[i]));
 }
 
 /* The table w of *p, *p++, p[k] with p in w; NULL: another lvalue. */
