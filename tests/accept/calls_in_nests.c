@@ -31,6 +31,12 @@ static void by_address(int n) {
         }
 }
 
+static void by_element(int n) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = i + 1; j < n; j++)
+            add(&potential[j], x[i][2]);
+}
+
 static void by_subscript(int n) {
     for (int i = 1; i < n; i++) // EXPECT: transformed
         for (int j = 0; j < i; j++)
@@ -70,6 +76,7 @@ int main(void) {
         first[i] = first[i - 1] + case_below(5);
     for (int round = 0; round < 3; round++) {
         by_address(N - round);
+        by_element(N - round);
         by_subscript(N - round);
         rows(N - round);
         lists(ROWS);

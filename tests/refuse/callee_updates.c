@@ -31,9 +31,9 @@ void by_pairs(int n, const double *x, double *h) {
 }
 
 static void pair_and_sum(double *p, int i, int j, double v, double *sum) {
+    *sum += v;
     p[i] += v;
     p[j] -= v;
-    *sum += v;
 }
 double by_pairs_and_sum(int n, const double *x, double *h) {
     double sum = 0.0;
