@@ -15,6 +15,7 @@
 typedef struct dependence {
     arena *memory;
     variable_facts *facts;
+    effects *effects;
     VECTOR(const ir_variable *) variables;
     VECTOR(const ir_variable *) filled; /* by calls: what they contain or point to depends */
     bool has_changed;
@@ -165,11 +166,25 @@ static bool call_depends(const dependence *d, const ir_node *call) {
     return is_elsewhere || (has_address && is_of_array && has_subscript);
 }
 
+/* Does the function update memory that is not the caller's own? */
+static bool call_updates(const dependence *d, const ir_node *call) {
+    access_list list = {0};
+    access_collect(d->effects, call, &list);
+    for (unsigned i = 0; i < list.items.count; i++) {
+        const access *a = &list.items.items[i];
+        const ir_variable *root = a->lvalue ? ir_root_variable(a->lvalue) : NULL;
+        if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
+            !(root && variable_is_automatic(root) && !is_pointer(root)))
+            return true;
+    }
+    return false;
+}
+
 /* Its function may fill what the arguments point to, or update it. */
 static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
     if (!is_dependent && !depends(d, call))
         return;
-    d->has_update |= is_dependent || call_depends(d, call);
+    d->has_update |= (is_dependent || call_depends(d, call)) && call_updates(d, call);
     for (unsigned i = 1; i < call->child_count; i++)
         if (is_address(call->children[i]))
             add_filled(d, ir_root_variable(call->children[i]));
@@ -219,7 +234,7 @@ bool candidate_varies(const analyser *an, const ir_node *loop) {
     counted_result counted = counted_recognise_analysed((ir_node *)loop);
     if (!counted.is_counted)
         return true;
-    dependence d = {.memory = an->memory, .facts = an->facts};
+    dependence d = {.memory = an->memory, .facts = an->facts, .effects = an->effects};
     add(&d, counted.loop.counter);
     do {
         d.has_changed = false;
