@@ -17,6 +17,37 @@ void by_subscript(int n, const int *k, double *h) {
         beyond(h, k[t], 1.0);
 }
 
+static void add_to(double *p, double v) {
+    *p += v;
+}
+static void pair(double *p, int i, int j, double v) {
+    p[i] += v;
+    p[j] -= v;
+}
+void by_pairs(int n, const double *x, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        for (int j = i + 1; j < n; j++)
+            pair(h, i, j, x[i] - x[j]);
+}
+
+static void pair_and_sum(double *p, int i, int j, double v, double *sum) {
+    *sum += v;
+    p[i] += v;
+    p[j] -= v;
+}
+double by_pairs_and_sum(int n, const double *x, double *h) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        for (int j = i + 1; j < n; j++)
+            pair_and_sum(h, i, j, x[i] - x[j], &sum);
+    return sum;
+}
+void dense_by_call(int n, int m, const double *x, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: nothing
+        for (int j = 0; j < m; j++)
+            add_to(&h[j], x[i]);
+}
+
 static void next_to(double *p, double v) {
     p[1] += v;
 }

@@ -48,13 +48,14 @@ static const ir_node *updated_target(const analyser *an, const ir_node *node) {
 static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call,
                          conflict_kind kind) {
     access_list list = {0};
-    if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
-        return false;
+    if (kind != CONFLICT_SHARED || call->children[0]->kind != IR_FUNCTION ||
+        !call->children[0]->function->body)
+        return false; /* regular nests are reported by the array, which a call does not name */
     access_collect(an->effects, call, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            conflict_of(an->facts, loop, a->lvalue) == kind)
+            conflict_at(an->facts, loop, a->lvalue, call) == kind)
             return true;
     }
     return false;

@@ -55,9 +55,15 @@ static bool counts_iterations(const loop_facts *facts) {
     return facts->scalar_count > 0 || facts->variables.own_count > 0 || facts->distribution;
 }
 
+static bool calls_function(const ir_node *node) {
+    const ir_function *callee = node->kind == IR_CALL ? ir_called_function(node) : NULL;
+    return callee && callee->body;
+}
+
 bool may_begin_in_order(const loop_facts *facts) {
     const counted_loop *counted = &facts->counted;
-    return !facts->has_short_iterations && !counts_iterations(facts) && !facts->slice.exits &&
+    const bool is_short = facts->has_short_iterations && !ir_any(counted->body, calls_function);
+    return !is_short && !counts_iterations(facts) && !facts->slice.exits &&
            !facts->slice.may_abort && counted->counter->type->kind == IR_INTEGER &&
            counted->step == 1 && !counted->stride;
 }

@@ -10,6 +10,30 @@ void repeated(int n, int times, const int *s, double *restrict h) {
             h[s[t]] += r;
 }
 
+void repeated_by_call(int n, int times, const int *s, double *restrict h) {
+    for (int r = 0; r < times; r++)
+        for (int t = 0; t < n; t++) // EXPECT: transform h(+)
+            add(&h[s[t]], r);
+}
+
+static double value_at(const double *x, int k) {
+    return x[k] * x[k];
+}
+static void fill(const double *x, int k, double *v) {
+    v[0] = x[k];
+}
+void repeated_reads_of_calls(int n, int times, const int *s, const double *x, double *restrict h) {
+    for (int r = 0; r < times; r++)
+        for (int t = 0; t < n; t++) // EXPECT: transform h(+)
+            h[s[t]] += value_at(x, r);
+    for (int r = 0; r < times; r++)
+        for (int t = 0; t < n; t++) { // EXPECT: transform h(+)
+            double v[1];
+            fill(x, r, v);
+            h[s[t]] += v[0];
+        }
+}
+
 void few_around(int n, const int *s, double *restrict h) {
     for (int r = 0; r < 3; r++)
         for (int t = 0; t < n; t++) // EXPECT: transform h(+)

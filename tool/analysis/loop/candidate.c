@@ -15,7 +15,9 @@
 typedef struct dependence {
     arena *memory;
     variable_facts *facts;
+    effects *effects;
     VECTOR(const ir_variable *) variables;
+    VECTOR(const ir_variable *) filled; /* by calls: what they contain or point to depends */
     bool has_changed;
     bool has_update; /* an update that depends on the counter */
 } dependence;
@@ -35,11 +37,33 @@ bool candidate_is_tiny(const ir_node *loop) {
     return distance <= TINY;
 }
 
+/* Does the function consist of a few statements: no loop, and only calls of others like it? */
+static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth);
+
+static bool calls_straight(const ir_unit *unit, const ir_node *callee, unsigned depth) {
+    return callee->kind == IR_FUNCTION &&
+           (library_find(unit, callee->function) || is_straight(unit, callee->function, depth));
+}
+
+static bool has_few_statements(const ir_unit *unit, const ir_node *node, unsigned depth) {
+    if (ir_is_loop(node) ||
+        (node->kind == IR_CALL && !calls_straight(unit, node->children[0], depth)))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!has_few_statements(unit, node->children[i], depth))
+            return false;
+    return true;
+}
+
+static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth) {
+    enum { DEEPEST = 3 }; /* also ends recursion */
+    return function->body && depth < DEEPEST && has_few_statements(unit, function->body, depth + 1);
+}
+
 bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
     if (ir_is_loop(body) && !candidate_is_tiny(body))
         return false;
-    const ir_node *callee = body->kind == IR_CALL ? body->children[0] : NULL;
-    if (callee && (callee->kind != IR_FUNCTION || !library_find(unit, callee->function)))
+    if (body->kind == IR_CALL && !calls_straight(unit, body->children[0], 0))
         return false;
     for (unsigned i = 0; i < body->child_count; i++)
         if (!candidate_is_short(unit, body->children[i]))
@@ -47,11 +71,24 @@ bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
     return true;
 }
 
+static bool is_dependent_variable(const dependence *d, const ir_variable *variable) {
+    for (unsigned i = 0; i < d->variables.count; i++)
+        if (d->variables.items[i] == variable)
+            return true;
+    return false;
+}
+
+static bool is_filled(const dependence *d, const ir_variable *variable) {
+    for (unsigned i = 0; i < d->filled.count; i++)
+        if (d->filled.items[i] == variable)
+            return true;
+    return false;
+}
+
 static bool depends(const dependence *d, const ir_node *node) {
-    if (node->kind == IR_VARIABLE)
-        for (unsigned i = 0; i < d->variables.count; i++)
-            if (d->variables.items[i] == node->variable)
-                return true;
+    if (node->kind == IR_VARIABLE &&
+        (is_dependent_variable(d, node->variable) || is_filled(d, node->variable)))
+        return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (depends(d, node->children[i]))
             return true;
@@ -59,23 +96,17 @@ static bool depends(const dependence *d, const ir_node *node) {
 }
 
 static void add(dependence *d, const ir_variable *variable) {
-    for (unsigned i = 0; variable && i < d->variables.count; i++)
-        if (d->variables.items[i] == variable)
-            return;
-    if (!variable)
+    if (!variable || is_dependent_variable(d, variable))
         return;
     VECTOR_PUSH(d->memory, &d->variables, variable);
     d->has_changed = true;
 }
 
-static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
-    if (!is_dependent && !depends(d, call))
+static void add_filled(dependence *d, const ir_variable *variable) {
+    if (!variable || is_filled(d, variable))
         return;
-    for (unsigned i = 1; i < call->child_count; i++) {
-        const ir_type *type = call->children[i]->type;
-        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY))
-            add(d, ir_root_variable(call->children[i]));
-    }
+    VECTOR_PUSH(d->memory, &d->filled, variable);
+    d->has_changed = true;
 }
 
 static bool is_pointer(const ir_variable *variable) {
@@ -91,6 +122,72 @@ static bool address_depends(const dependence *d, const ir_node *lvalue) {
     if (lvalue->kind == IR_MEMBER)
         return address_depends(d, lvalue->children[0]);
     return depends(d, lvalue);
+}
+
+static bool is_address(const ir_node *argument) {
+    const ir_type *type = argument->type;
+    return type && (type->kind == IR_POINTER || type->kind == IR_ARRAY);
+}
+
+/* Does the address that is passed change with the counter? The memory there may. */
+static bool argument_depends(const dependence *d, const ir_node *argument) {
+    switch (argument->kind) {
+    case IR_VARIABLE:
+        return !ir_is_array(argument) && is_dependent_variable(d, argument->variable);
+    case IR_INDEX:
+        return argument_depends(d, argument->children[0]) || depends(d, argument->children[1]);
+    case IR_MEMBER:
+    case IR_UNARY:
+    case IR_BINARY:
+    case IR_CAST:
+        for (unsigned i = 0; i < argument->child_count; i++)
+            if (argument_depends(d, argument->children[i]))
+                return true;
+        return false;
+    default:
+        return depends(d, argument);
+    }
+}
+
+/* Do the elements that the call may update depend on the counter? Those of add(&h[k], v) do if an
+ * address does; those of add_at(h, k, v) if an integer does. */
+static bool call_depends(const dependence *d, const ir_node *call) {
+    bool has_address = false, is_of_array = true, is_elsewhere = false, has_subscript = false;
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_node *argument = call->children[i];
+        if (is_address(argument)) {
+            has_address = true;
+            is_of_array &= argument->kind == IR_VARIABLE || argument->kind == IR_MEMBER;
+            is_elsewhere |= argument_depends(d, argument);
+        } else if (argument->type && argument->type->kind == IR_INTEGER) {
+            has_subscript |= depends(d, argument);
+        }
+    }
+    return is_elsewhere || (has_address && is_of_array && has_subscript);
+}
+
+/* Does the function update memory that is not the caller's own? */
+static bool call_updates(const dependence *d, const ir_node *call) {
+    access_list list = {0};
+    access_collect(d->effects, call, &list);
+    for (unsigned i = 0; i < list.items.count; i++) {
+        const access *a = &list.items.items[i];
+        const ir_variable *root = a->lvalue ? ir_root_variable(a->lvalue) : NULL;
+        if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
+            !(root && variable_is_automatic(root) && !is_pointer(root)))
+            return true;
+    }
+    return false;
+}
+
+/* Its function may fill what the arguments point to, or update it. */
+static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
+    if (!is_dependent && !depends(d, call))
+        return;
+    d->has_update |= (is_dependent || call_depends(d, call)) && call_updates(d, call);
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (is_address(call->children[i]))
+            add_filled(d, ir_root_variable(call->children[i]));
 }
 
 /* The table w of *p, *p++, p[k] with p in w; NULL: another lvalue. */
@@ -138,7 +235,7 @@ bool candidate_varies(const analyser *an, const ir_node *loop) {
     counted_result counted = counted_recognise_analysed((ir_node *)loop);
     if (!counted.is_counted)
         return true;
-    dependence d = {.memory = an->memory, .facts = an->facts};
+    dependence d = {.memory = an->memory, .facts = an->facts, .effects = an->effects};
     add(&d, counted.loop.counter);
     do {
         d.has_changed = false;

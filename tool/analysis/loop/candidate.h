@@ -10,7 +10,7 @@
 bool candidate_is_tiny(const ir_node *loop);
 
 /** Is an iteration's work that of a few statements: only tiny loops, and only calls of the C
- *  library's mathematics? */
+ *  library's mathematics, or of functions without loops? */
 bool candidate_is_short(const ir_unit *unit, const ir_node *body);
 
 /** Do the elements that an iteration updates depend on the loop's counter, by subscripts or by

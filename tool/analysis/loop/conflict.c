@@ -12,7 +12,7 @@ enum { DEEPEST = 8 }; /* definitions that are followed */
 typedef struct query {
     variable_facts *facts;
     const ir_node *loop;
-    const ir_node *lvalue;
+    const ir_node *place; /* the access: in the loops whose counters are inner ones */
     unsigned depth;
 } query;
 
@@ -171,9 +171,9 @@ static bool is_segment(const query *q, const ir_node *start, const ir_node *boun
            expression_constant(next->children[1], &one) && one == 1;
 }
 
-/* The inner `for` around the lvalue whose header sets and steps the variable; NULL: none. */
+/* The inner `for` around the access whose header sets and steps the variable; NULL: none. */
 static const ir_node *inner_loop_of(const query *q, const ir_variable *variable) {
-    for (const ir_node *outer = q->lvalue->parent; outer && outer != q->loop; outer = outer->parent)
+    for (const ir_node *outer = q->place->parent; outer && outer != q->loop; outer = outer->parent)
         if (outer->kind == IR_FOR && start_in(outer->children[0], variable) &&
             variable_is_written_in(outer->children[2], variable))
             return outer;
@@ -235,6 +235,10 @@ static void add_all(terms *to, const terms *from) {
     to->has_short |= from->has_short;
 }
 
+static bool has_address(const ir_node *node) {
+    return ir_is_pointer(node) || ir_is_array(node);
+}
+
 /* The terms of the address, subscript by subscript: an independent value in one of them makes rows
  * of the others. */
 static terms terms_of(query *q, const ir_node *lvalue) {
@@ -246,7 +250,7 @@ static terms terms_of(query *q, const ir_node *lvalue) {
         if (node->kind == IR_INDEX) {
             add_terms(q, node->children[1], false, &own);
         } else if (node->kind == IR_BINARY) {
-            const unsigned side = ir_is_pointer(node->children[0]) ? 1 : 0;
+            const unsigned side = has_address(node->children[0]) ? 1 : 0;
             add_terms(q, node->children[side], false, &own);
             next = node->children[1 - side];
         } else if (node->kind == IR_VARIABLE) {
@@ -269,12 +273,15 @@ static terms terms_of(query *q, const ir_node *lvalue) {
             all.has_row = true;
         add_all(&all, &own);
         node = next ? without_casts(next) : NULL;
+        if (node && node->kind == IR_UNARY && node->op == IR_OP_ADDRESS) /* *&h[k]: of a call */
+            node = without_casts(node->children[0]);
     }
     return all;
 }
 
-conflict_kind conflict_of(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
-    query q = {facts, loop, lvalue, 0};
+conflict_kind conflict_at(variable_facts *facts, const ir_node *loop, const ir_node *lvalue,
+                          const ir_node *place) {
+    query q = {facts, loop, place, 0};
     assert(ir_is_loop(loop));
     if (!expression_is_lvalue(lvalue)) /* as of `__real__ z[k] += 1`: it is not analysed */
         return CONFLICT_NONE;

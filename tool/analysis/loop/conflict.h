@@ -16,9 +16,16 @@ typedef enum conflict_kind {
     CONFLICT_SHARED   /* a table, a loaded pointer, or a variable range selects the element */
 } conflict_kind;
 
-/** For an lvalue that is updated in the loop. Rows of matrices, a[i * n + j] and a[i][j], count as
+/** For an lvalue that is updated in the loop by the node at `place`: the lvalue itself, or a call
+ *  whose function updates it. Rows of matrices, a[i * n + j] and a[i][j], count as
  *  separate for each iteration i, and so do consecutive segments, first[i] up to first[i + 1]. */
-conflict_kind conflict_of(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
+conflict_kind conflict_at(variable_facts *facts, const ir_node *loop, const ir_node *lvalue,
+                          const ir_node *place);
+
+static inline conflict_kind conflict_of(variable_facts *facts, const ir_node *loop,
+                                        const ir_node *lvalue) {
+    return conflict_at(facts, loop, lvalue, lvalue);
+}
 
 static inline bool conflict_is_shared(variable_facts *facts, const ir_node *loop,
                                       const ir_node *lvalue) {

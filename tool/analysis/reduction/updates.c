@@ -114,6 +114,9 @@ static bool refuse_variable(loop_analysis *j, const loop_access *store) {
     if (!is_scalar && store->access.lvalue->kind != IR_VARIABLE && !store->access.callee &&
         is_updated_too(j, store))
         return analysis_refuse(j, REASON_ARRAY_STORED, store->access.node, variable->name);
+    if (is_scalar && store->access.callee) /* a sum that a function adds to, acc(&s, v) */
+        return analysis_refuse(j, REASON_CALLEE_UPDATES, store->access.node,
+                               store->access.callee->name);
     return analysis_refuse(j, is_scalar ? REASON_SCALAR_CARRIED : REASON_PRIVATE_NOT_PROVED, node,
                            variable->name);
 }
@@ -383,7 +386,8 @@ static bool is_in_array(const loop_access *write) {
 static bool is_irregular_call(const loop_analysis *j, const loop_access *write) {
     const ir_node *target =
         write->access.callee ? update_call_of(j, write->access.node).target : NULL;
-    return target && conflict_is_shared(j->an->facts, j->loop, target);
+    return target &&
+           conflict_at(j->an->facts, j->loop, target, write->access.node) == CONFLICT_SHARED;
 }
 
 static bool check_write(loop_analysis *j, loop_access *write) {
