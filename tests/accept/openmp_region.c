@@ -118,6 +118,27 @@ static double clauses(int n) {
     return sum;
 }
 
+/* no iteration: `lastprivate` sets the counter alone, as the loop without its directive does; OpenMP leaves it open */
+static int never(int n) {
+    int i = -7;
+    double sum = 0.25, last = 5;
+#pragma omp parallel
+    {
+#pragma omp for reduction(+ : sum) lastprivate(last, i)
+        for (i = n; i > N; i--) { // EXPECT: transformed
+            last = w[i];
+            sum += last;
+        }
+#pragma omp single
+        sum *= 2;
+    }
+#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
+    return sum == 0.5 && last == 5 && i == n;
+#else
+    return sum == 0.5;
+#endif
+}
+
 /* a team for each thread of a team; a region under a condition */
 static double nested(int n) {
     double sums[4] = {0}, sum = 0;
@@ -153,5 +174,5 @@ int main(void) {
     case_print("of_file", &of_file, sizeof of_file);
     double sums[] = {hasty(N, 20), hasty(1, 3), hasty(0, 2), clauses(N), clauses(6), nested(N)};
     CASE_PRINT(sums);
-    return 0;
+    return !(never(N) && never(7));
 }

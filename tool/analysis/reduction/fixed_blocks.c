@@ -11,7 +11,6 @@
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/reduction/team_loop.h"
-#include "ir/ir_syntax.h"
 
 typedef struct search {
     const analyser *an;
@@ -141,8 +140,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
     if (!is_plain_count(&found, s->loop))
         refuse(s, "%s", "the loop's header, which is no counter from one integer to another");
-    else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header) ||
-             syntax_editable_statement(s->loop, s->function->body) != s->loop)
+    else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header))
         refuse(s, "%s", "the loop's header, which a macro makes");
     return found.loop;
 }
@@ -158,7 +156,6 @@ static const nested_blocks *find_inner(const search *s, const fixed_blocks *bloc
     const ir_range header = {loop->range.begin, header_end(unit->source, loop)};
     if (!is_plain_count(&found, loop) || header.end == 0 ||
         has_directive_in(unit, (ir_range){blocks->header.end, header.end}) ||
-        syntax_editable_statement(loop, s->function->body) != loop ||
         expression_mentions(found.loop.lower, blocks->counter) ||
         expression_mentions(found.loop.bound, blocks->counter))
         return NULL;
