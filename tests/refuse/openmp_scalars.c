@@ -51,6 +51,9 @@ double clauses(int n) {
         sum += w[i];
         h[i % 10] += of_another_file(i);
     }
+#pragma omp parallel for allocate(sum) reduction(+ : sum)
+    for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+        sum += w[i];
 #pragma omp parallel for SUM
     for (int i = 0; i < n; i++) // EXPECT: nothing
         sum += w[i];
