@@ -66,6 +66,24 @@ static int last(void) {
     return i == FEW && j == MANY;
 }
 
+/* no rows, or no columns: the clause sets the counters alone, as the loops without their directive do; OpenMP leaves
+ * them open */
+static int never(int n, int m) {
+    int i = -5, j = -6;
+    double sum = 0.25, seen = 5;
+#pragma omp parallel for collapse(2) lastprivate(i, j, seen) reduction(+ : sum)
+    for (i = 0; i < n; i++) // EXPECT: transformed
+        for (j = 3; j < m; j++) {
+            seen = w[i * MANY + j];
+            sum += seen;
+        }
+#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
+    return sum == 0.25 && seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6);
+#else
+    return sum == 0.25;
+#endif
+}
+
 /* three loops; long iterations; a triangle, and headers that a macro makes: of these only the outer loop is divided */
 static double shapes(int n) {
     double sum = 0;
@@ -101,6 +119,12 @@ static double shapes(int n) {
         for (j = 0; j < n; j++)
 #endif
             sum += w[i * COLUMNS + j] * 3;
+#pragma omp parallel for collapse(2) reduction(+ : sum)
+    for (i = 0; i < FEW; i++) // EXPECT: transformed
+        for (j = 0; j < n;
+#define LESS 5
+             j++)
+            sum -= w[i * COLUMNS + j] * LESS;
     return sum;
 }
 
@@ -148,7 +172,7 @@ int main(void) {
                        headers(MANY, 0), headers(100, 500), headers(5, 1), headers(1, 1), shapes(ROWS), shapes(1)};
     for (int round = 0; round < 3; round++) {
         kept &= counters(ROWS - 11 * round, COLUMNS - round);
-        kept &= last();
+        kept &= last() && never(-round, MANY) && never(round, 3 - round);
 #pragma omp parallel
         orphan(FEW, MANY - round);
         orphan(ROWS, COLUMNS);

@@ -118,6 +118,65 @@ static double clauses(int n) {
     return sum;
 }
 
+/* no iteration: `lastprivate` sets the counter alone, as the loop without its directive does; OpenMP leaves it open */
+static int never(int n) {
+    int i = -7;
+    double sum = 0.25, last = 5;
+#pragma omp parallel
+    {
+#pragma omp for reduction(+ : sum) lastprivate(last, i)
+        for (i = n; i > N; i--) { // EXPECT: transformed
+            last = w[i];
+            sum += last;
+        }
+#pragma omp single
+        sum *= 2;
+    }
+#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
+    return sum == 0.5 && last == 5 && i == n;
+#else
+    return sum == 0.5;
+#endif
+}
+
+/* numbers of all sizes */
+static double sizes(int n) {
+    signed char low = 100;
+    unsigned char bits = 0;
+    short least = 3000;
+    unsigned short most = 7;
+    int count = -5;
+    unsigned odd = 1;
+    long all = 1;
+    unsigned long long product = 1;
+    _Bool any = 0;
+    float single = 0.5f;
+    long double wide = 0.25L;
+#pragma omp parallel
+    {
+#pragma omp for reduction(min : low, least) reduction(max : most) reduction(| : bits) reduction(^ : odd)
+        for (int i = 0; i < n; i++) { // EXPECT: transformed
+            low = (signed char)(k[i] % 100 - 50 < low ? k[i] % 100 - 50 : low);
+            least = (short)(k[i] - 900 < least ? k[i] - 900 : least);
+            most = (unsigned short)(k[i] > most ? k[i] : most);
+            bits |= (unsigned char)(1 << (k[i] & 7));
+            odd ^= (unsigned)k[i] * 77u;
+        }
+#pragma omp for reduction(+ : count, all, single, wide) reduction(* : product) reduction(|| : any)
+        for (int i = 0; i < n; i++) { // EXPECT: transformed
+            count += k[i] & 3;
+            all += k[i];
+            product *= 2 * (unsigned long long)k[i] + 1;
+            any = any || k[i] == N - 1;
+            single += (float)w[i];
+            wide += w[i];
+        }
+    }
+    case_print("odd", &odd, sizeof odd);
+    case_print("product", &product, sizeof product);
+    return low + bits * 3 + least * 5 + most * 7 + count * 11 + (double)all + any + single + (double)wide;
+}
+
 /* a team for each thread of a team; a region under a condition */
 static double nested(int n) {
     double sums[4] = {0}, sum = 0;
@@ -151,7 +210,7 @@ int main(void) {
         orphan(N / 2, b);
     }
     case_print("of_file", &of_file, sizeof of_file);
-    double sums[] = {hasty(N, 20), hasty(1, 3), hasty(0, 2), clauses(N), clauses(6), nested(N)};
+    double sums[] = {hasty(N, 20), hasty(1, 3), hasty(0, 2), clauses(N), clauses(6), nested(N), sizes(N), sizes(3)};
     CASE_PRINT(sums);
-    return 0;
+    return !(never(N) && never(7));
 }

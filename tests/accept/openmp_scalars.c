@@ -174,6 +174,22 @@ static int counters(int n) {
 #endif
 }
 
+/* no iteration: `lastprivate` sets the counter alone, as the loop without its directive does; OpenMP leaves it open */
+static int never(int n) {
+    int i = -7, first = n;
+    double sum = 0.25, last = 5;
+#pragma omp parallel for reduction(+ : sum) lastprivate(i, last)
+    for (i = first; i < 3; i++) { // EXPECT: transformed
+        last = w[i];
+        sum += last;
+    }
+#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
+    return sum == 0.25 && last == 5 && i == n;
+#else
+    return sum == 0.25;
+#endif
+}
+
 /* under conditions, by an operator, in a branch; iterations with loops */
 static double others(int n, int kind) {
     double sum = 0;
@@ -210,7 +226,7 @@ int main(void) {
     int kept = 1;
     for (int round = 0; round < 3; round++) {
         operators(N - 7 * round);
-        kept &= counters(N - round);
+        kept &= counters(N - round) && never(3 + round);
     }
     double sums = others(N, 0) + others(N, 1) + 3 * others(N, 2) + others(0, 1);
     case_print("sums", &sums, sizeof sums);

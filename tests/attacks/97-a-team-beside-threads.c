@@ -9,7 +9,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-enum { N = 20000, M = 5, ROUNDS = 20 };
+enum { N = 20000, M = 5, ROUNDS = 20, MANY = 80 };
 static int s[N];
 static long h[M], others;
 static atomic_int begun;
@@ -78,7 +78,7 @@ int main(void) {
     with(beside);
     with(the_same);
 #pragma omp parallel num_threads(3)
-    for (int round = 0; round < ROUNDS; round++)
+    for (int round = 0; round < MANY; round++)
         by_team(2);
     by_team(2);
     long all = -others;

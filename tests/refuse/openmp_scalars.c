@@ -51,6 +51,13 @@ double clauses(int n) {
         sum += w[i];
         h[i % 10] += of_another_file(i);
     }
+    /* each thread executes all iterations */
+#pragma omp parallel reduction(+ : sum)
+    for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+        sum += w[i];
+#pragma omp parallel for allocate(sum) reduction(+ : sum)
+    for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+        sum += w[i];
 #pragma omp parallel for SUM
     for (int i = 0; i < n; i++) // EXPECT: nothing
         sum += w[i];

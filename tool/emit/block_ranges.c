@@ -56,7 +56,8 @@ void write_counts(loop_text *loop, writer *out, int most) {
     writer_line(out, "    : REDCC_BLOCKS_%s(redcc__trip, %d);",
                 loop->facts->has_short_iterations ? "SHORT" : "LONG", most);
     if (inner) {
-        writer_line(out, "const redcc_int redcc__columns = redcc__in_order ? 1");
+        writer_line(out,
+                    "const redcc_int redcc__columns = redcc__in_order ? redcc__inner_trip > 0");
         writer_line(out, "    : REDCC_COLUMNS_%s(redcc__rows, redcc__inner_trip, %d);",
                     inner->has_short_iterations ? "SHORT" : "LONG", most);
         writer_line(out, "const redcc_int redcc__blocks = redcc__rows * redcc__columns;");
@@ -69,6 +70,41 @@ void write_shared(const loop_text *loop, buffer *out) {
     if (inner_of(loop))
         buffer_text(out, ", \\\n    redcc__inner_lower, redcc__inner_bound, redcc__inner_trip, "
                          "redcc__rows, redcc__columns");
+}
+
+/* ---- none --------------------------------------------------------------------------------------
+ */
+
+/** Does a clause give the variable the value that it has after the last iteration? */
+static bool is_last(const loop_text *loop, const ir_variable *variable) {
+    const openmp_directive *directive = &loop->facts->variables.blocks->directive;
+    for (unsigned i = 0; i < directive->item_count; i++)
+        if (directive->items[i].kind == OPENMP_LASTPRIVATE &&
+            (!variable || openmp_variable(loop->unit, loop->facts->loop, loop->facts->function,
+                                          directive->items[i].text) == variable))
+            return true;
+    return false;
+}
+
+void write_if_any(loop_text *loop, writer *out, bool is_of_team) {
+    const counted_loop *counted = &loop->facts->counted;
+    const nested_blocks *inner = inner_of(loop);
+    if (!is_last(loop, NULL))
+        return;
+    writer_line(out, "if (redcc__blocks == 0) {");
+    if (is_of_team)
+        buffer_text(&out->out, "#pragma omp single nowait\n");
+    writer_line(out, "    {");
+    if (is_last(loop, counted->counter))
+        writer_line(out,
+                    "        %s = (%s)REDCC_PART_BEGIN(redcc__lower, redcc__trip, 1, 1, %lld, 0);",
+                    origin_variable(loop->arena, counted->counter), type_of(loop, counted),
+                    (long long)counted->step);
+    if (inner && is_last(loop, inner->counted.counter))
+        writer_line(out, "        if (redcc__trip > 0) %s = redcc__inner_lower;",
+                    origin_variable(loop->arena, inner->counted.counter));
+    writer_line(out, "    }");
+    writer_line(out, "} else");
 }
 
 /* ---- which -------------------------------------------------------------------------------------

@@ -12,6 +12,10 @@ void write_counts(loop_text *loop, writer *out, int most);
 /** Writes the names that write_counts declares, each after a comma, for a clause. */
 void write_shared(const loop_text *loop, buffer *out);
 
+/** If a clause gives variables the values that they have after the last iteration, writes a
+ * condition for the directive and its loop: without iterations, the counters alone are set. */
+void write_if_any(loop_text *loop, writer *out, bool is_of_team);
+
 /** Writes, for each counter, its first value in a block, and the bound with which the block's
  * loop compares it. */
 void write_ranges(loop_text *loop, writer *out);

@@ -107,6 +107,7 @@ static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     if (is_of_team(loop))
         write_team_begin(loop, out);
+    write_if_any(loop, out, is_of_team(loop));
     buffer_format(&out->out, "#pragma omp %s schedule(%s)",
                   is_of_team(loop) ? "for nowait" : "parallel for",
                   blocks->is_balanced ? "static" : "dynamic");

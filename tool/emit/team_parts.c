@@ -5,12 +5,19 @@
 #include "emit/macro_names.h"
 #include "emit/text/origin.h"
 
-/* A name of the type that needs no declaration; NULL: it has none. */
-static const char *plain_type(arena *a, const ir_type *type) {
+/* A name of the type, or of one with the same values, that needs no declaration; NULL: it has none.
+ */
+static const char *plain_type(const ir_type *type) {
+    static const char *const integers[][2] = {{"unsigned char", "signed char"},
+                                              {"unsigned short", "short"},
+                                              {"unsigned int", "int"},
+                                              {"unsigned long long", "long long"}};
     if (type->kind == IR_BOOLEAN)
         return "_Bool";
-    if (type->kind == IR_INTEGER && type->size <= 8)
-        return arena_format(a, "__%sINT%d_TYPE__", type->is_signed ? "" : "U", 8 * (int)type->size);
+    if (type->kind == IR_INTEGER)
+        for (int i = 0; i < 4; i++)
+            if (type->size == 1 << i)
+                return integers[i][type->is_signed];
     return type->kind != IR_FLOATING ? NULL
            : type->size == 4         ? "float"
            : type->size == 8         ? "double"
@@ -28,7 +35,7 @@ bool has_frame_parts(const loop_text *loop) {
     bool has = blocks->team.shares_frame && !(body->flags & IR_FROM_MACRO) &&
                loop->unit->source->text[body->range.begin] == '{';
     for (unsigned i = 0; i < blocks->scalar_count; i++)
-        has &= plain_type(loop->arena, blocks->scalars[i].variable->type) != NULL;
+        has &= plain_type(blocks->scalars[i].variable->type) != NULL;
     return has;
 }
 
@@ -40,8 +47,7 @@ loop_piece frame_parts(loop_text *loop, int blocks) {
     writer_line(&out, "REDCC_QUIET_BEGIN");
     writer_line(&out, "struct {");
     for (unsigned i = 0; i < facts->scalar_count; i++)
-        writer_line(&out, "    %s redcc__%u;",
-                    plain_type(loop->arena, facts->scalars[i].variable->type), i);
+        writer_line(&out, "    %s redcc__%u;", plain_type(facts->scalars[i].variable->type), i);
     writer_line(&out, "} redcc__parts_%u[%d];", number_of(loop), blocks);
     writer_line(&out, "redcc_int redcc__ended_%u = 0;", number_of(loop));
     writer_line(&out, "REDCC_QUIET_END");

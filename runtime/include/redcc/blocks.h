@@ -37,11 +37,11 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
 /** The number of parts of a nest's inner loop, if its outer loop has redcc_rows parts. */
 #define REDCC_COLUMNS_SHORT(redcc_rows, redcc_trip, redcc_max)                                     \
     ((redcc_rows) < 1 || (redcc_trip) < 1                                                          \
-         ? 1                                                                                       \
+         ? 0                                                                                       \
          : redcc_blocks_short(redcc_trip, (redcc_max) / (redcc_rows)))
 #define REDCC_COLUMNS_LONG(redcc_rows, redcc_trip, redcc_max)                                      \
     ((redcc_rows) < 1 || (redcc_trip) < 1                                                          \
-         ? 1                                                                                       \
+         ? 0                                                                                       \
          : REDCC_BLOCKS_LONG(redcc_trip, (redcc_max) / (redcc_rows)))
 
 /** The counter's value in the first iteration of one of the parts into which the loop, or a loop of

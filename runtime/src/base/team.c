@@ -35,6 +35,7 @@ extern void kmp_set_stacksize_s(size_t) WEAK;
 extern int omp_in_parallel(void) WEAK;
 extern int omp_get_max_threads(void) WEAK;
 extern int omp_get_level(void) WEAK;
+extern int omp_get_num_threads(void) WEAK;
 extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
 extern __typeof__(pthread_create) pthread_create WEAK;
 extern __typeof__(pthread_join) pthread_join WEAK;
@@ -406,6 +407,8 @@ static bool others_leave(void) {
  * threads register as members. */
 static bool are_others_idle(bool registers) {
     const int others = count_unknown();
+    if (others == 0 && atomic_load(&known) != 0)
+        atomic_store(&known, 0);
     if (others <= 0 || others == atomic_load(&known))
         return others == 0;
     if (registers)
@@ -425,6 +428,10 @@ bool redcc_team_has_met(void) {
         return redcc_team_is_alone();
     if (redcc_within || omp_get_level() > 1)
         return false;
+    /* One thread keeps the order with the directives, too: nothing to wait for. OpenMP's other
+     * threads idle beside it, and this loop cannot meet them. */
+    if (omp_get_num_threads && omp_get_num_threads() == 1)
+        return count_unknown() == 0;
     return are_others_idle(false);
 }
 

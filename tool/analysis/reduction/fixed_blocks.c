@@ -11,7 +11,6 @@
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/reduction/team_loop.h"
-#include "ir/ir_syntax.h"
 
 typedef struct search {
     const analyser *an;
@@ -74,6 +73,8 @@ static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks)
         refuse(s, "'%s' is reduced, which is no plain number", item->text);
     else if (item->kind == OPENMP_OTHER_CLAUSE)
         refuse(s, "the clause '%s'", item->text);
+    else if (strcmp(item->word, "allocate") == 0) /* it names copies, which no clause makes then */
+        refuse(s, "the clause 'allocate(%s)'", item->text);
     else if (item->kind == OPENMP_SCHEDULE)
         blocks->is_balanced = strstr(item->text, "static") != NULL;
 }
@@ -140,8 +141,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
     if (!is_plain_count(&found, s->loop))
         refuse(s, "%s", "the loop's header, which is no counter from one integer to another");
-    else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header) ||
-             syntax_editable_statement(s->loop, s->function->body) != s->loop)
+    else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header))
         refuse(s, "%s", "the loop's header, which a macro makes");
     return found.loop;
 }
@@ -157,7 +157,6 @@ static const nested_blocks *find_inner(const search *s, const fixed_blocks *bloc
     const ir_range header = {loop->range.begin, header_end(unit->source, loop)};
     if (!is_plain_count(&found, loop) || header.end == 0 ||
         has_directive_in(unit, (ir_range){blocks->header.end, header.end}) ||
-        syntax_editable_statement(loop, s->function->body) != loop ||
         expression_mentions(found.loop.lower, blocks->counter) ||
         expression_mentions(found.loop.bound, blocks->counter))
         return NULL;
