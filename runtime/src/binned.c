@@ -27,7 +27,8 @@ static void end(struct thread_state *thread, redcc_worker *worker) {
 
 void redcc_hold_written(void *execution, uint32_t array, struct range written) {
     struct execution *it = execution;
-    redcc_validation_grow(&it->run.validation, it->call.request.loop->array_count, array, written);
+    redcc_validation_grow(&it->run.validation, it->call.request.loop, it->call.request.bases,
+                          (struct written){array, written}, it->run.validated);
 }
 
 /* The first thread executes the iterations between two rounds; the others wait for it in the next

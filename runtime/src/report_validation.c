@@ -93,7 +93,8 @@ bool redcc_report_validation(void) {
         tell(loop);
         loops++;
         parallel += ran_in_parallel(loop);
-        broken = broken || loop->statistics.validated.broken > 0 || print_misnamed(loop);
+        const bool misnamed = print_misnamed(loop);
+        broken = broken || misnamed || loop->statistics.validated.broken > 0;
     }
     if (loops == 0)
         fputs("redcc: validated: 0 loops ran in parallel: no translated loop was executed\n",

@@ -52,16 +52,27 @@ static const char *const remedies[REASON_COUNT] = {
     [REASON_TWO_ADDRESSES] = "map the memory once",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
+/* How often the loop was sequential for this reason. Overlaps are counted by the pair of arrays. */
+static long count_of(const struct statistics *it, enum reason reason) {
+    long count = atomic_load(&it->fallback[reason]);
+    for (int i = 0; reason == REASON_OVERLAP && i < REDCC_TEXTS; i++)
+        count += it->overlap[i].count;
+    return count;
+}
+
 /* The most frequent reason of sequential calls; *sequential: the total number of these. If it is 0,
  * the reason has no meaning. */
 static enum reason commonest(const struct statistics *it, long *sequential) {
     enum reason most = REASON_NONE;
+    long greatest = 0;
     *sequential = 0;
     for (enum reason reason = REASON_NONE + 1; reason < REASON_COUNT; reason++) {
-        const long count = atomic_load(&it->fallback[reason]);
+        const long count = count_of(it, reason);
         *sequential += count;
-        if (most == REASON_NONE || count > atomic_load(&it->fallback[most]))
+        if (count > greatest) {
             most = reason;
+            greatest = count;
+        }
     }
     return most;
 }

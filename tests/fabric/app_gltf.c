@@ -348,12 +348,12 @@ static void test_limits(void **unused) {
     cloth_frames large = run;
     large.count = 2001;
     check_refused(&large, "refused.glb: 2001 frames, expected up to 2000 in a glTF file: run with "
-                          "fewer --frames, or export a point cache (pc2)\n");
+                          "fewer --frames, or use 'fabric export' (VTK files)\n");
     large.count = 1000;
     large.vertex_count = 100000;
     check_refused(&large,
                   "refused.glb: 1204 MB, expected up to 1000 in a glTF file: run with fewer "
-                  "--frames, or export a point cache (pc2)\n");
+                  "--frames, or use 'fabric export' (VTK files)\n");
     failing = 2; /* a frame that cannot be read, which says so itself */
     check_refused(&run, "");
     failing = -1;

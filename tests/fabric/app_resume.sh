@@ -153,7 +153,7 @@ refuse "not a checkpoint of fabric's"
 { cat before/checkpoint; echo; } >refused/checkpoint
 refuse "damaged: it goes on after its end"
 { head -c 12 before/checkpoint; printf '\007'; tail -c +14 before/checkpoint; } >refused/checkpoint
-refuse "of format version 7, this program reads version 1"
+refuse "of format version 7, this program reads version 2"
 cp before/checkpoint refused/checkpoint
 holds "a refusal changes nothing" diff -r before refused
 expect 0 "" "$program" run patch "${small[@]}" --resume refused --progress none

@@ -12,10 +12,19 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include <cmocka.h>
 
+/* A row of which only the beginning is mapped. */
+enum { GAP = 1 << 16 };
+struct far_row {
+    double first;
+    char gap[GAP - sizeof(double)];
+};
+
 BINNED_LOOP(sums, double, double, REDCC_SUM, REDCC_DOUBLE, 0, *r += e)
+BINNED_LOOP(far, struct far_row, double, REDCC_SUM, REDCC_OTHER_TYPE, 0, r->first += e)
 BINNED_LOOP(counts, int, int, REDCC_SUM, REDCC_INT32, 1, *r += e)
 
 enum { ROWS = 500, TRIP = 6000, ROUND = 700 };
@@ -156,12 +165,46 @@ static void without_memory_nothing_is_compared(void **unused) {
     assert_in_range(compared, 1, binned - 1);
 }
 
+/* Rows at arbitrary addresses: memory between them must be neither read nor written. */
+static void scattered_rows_are_passed_over(void **unused) {
+    (void)unused;
+    enum { FAR = 50 };
+    const size_t bytes = (size_t)GAP * (FAR + 1);
+    char *const all =
+        mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    assert_ptr_not_equal(all, MAP_FAILED);
+    const redcc_int first = (redcc_int)((uintptr_t)all / GAP + 1);
+    double *row[FAR], expected[FAR] = {0};
+    for (int r = 0; r < FAR; r++) {
+        row[r] = (double *)((uintptr_t)(first + r) * GAP);
+        assert_int_equal(mprotect(row[r], 1 << 12, PROT_READ | PROT_WRITE), 0);
+    }
+    int *const address = malloc(TRIP * sizeof *address), last;
+    for (int t = 0; t < TRIP; t++) {
+        address[t] = (int)(first + k[t] % FAR);
+        expected[k[t] % FAR] += values[t];
+    }
+    const struct binned_problem problem = {.trip = TRIP, .k = address, .value = values, .by = &by};
+    redcc_bins_tuning.round = ROUND; /* several rounds are one execution */
+    assert_true(far.run(&problem, 3, &last));
+    for (int r = 0; r < FAR; r++)
+        assert_memory_equal(row[r], &expected[r], sizeof(double));
+    assert_int_equal(statistics_of(&far)->validated.executions, 0);
+    assert_int_equal(statistics_of(&far)->validated.passed_over, 1);
+    redcc_loop_forget(&far.descriptor->loop);
+    redcc_bins_tuning = usual;
+    free(address);
+    munmap(all, bytes);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
 int main(void) {
     usual = redcc_bins_tuning;
     make_data();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fault_is_found),
         cmocka_unit_test(what_is_right_is_found_right),
+        cmocka_unit_test(scattered_rows_are_passed_over),
         cmocka_unit_test(without_memory_nothing_is_compared),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

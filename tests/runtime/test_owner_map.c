@@ -155,6 +155,34 @@ static void owners_move_with_the_arrays(void **unused) {
     end(&fixture);
 }
 
+/* Two arrays: iterations of the first one's lower and upper half are mixed in the second. The best
+ * cuts of the second are behind its first and behind its last element; that midway between these
+ * two is the worst. */
+static void a_cut_is_one_of_the_best(void **unused) {
+    (void)unused;
+    enum { ITERATIONS = 6, OWNERS = 2 };
+    static double first[ITERATIONS], second[ITERATIONS];
+    static const int of_first[ITERATIONS] = {0, 3, 4, 1, 2, 5};
+    static const redcc_array arrays[] = {{"first", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0},
+                                         {"second", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0}};
+    const redcc_loop loop = {.arrays = arrays, .array_count = 2};
+    void *bases[] = {first, second};
+    struct fixture fixture;
+    assert_true(redcc_sample_begin(&fixture.sample, 2 * ITERATIONS, 0));
+    for (int i = 0; i < ITERATIONS; i++) {
+        redcc_sample_add(&fixture.sample, (uintptr_t)&first[of_first[i]], 0, 1, 0);
+        if (i < ITERATIONS - 1) /* the last one touches the first array only */
+            redcc_sample_add(&fixture.sample, (uintptr_t)&second[i], 1, 1, 0);
+        redcc_sample_next_iteration(&fixture.sample);
+    }
+    fixture.samples[0] = &fixture.sample;
+    assert_true(redcc_partition_begin(&fixture.partition, &loop, bases, OWNERS));
+    assert_true(redcc_choose_cuts(&fixture.partition, fixture.samples, 1));
+    assert_int_equal(redcc_cuts(&fixture.partition, 0)[1], (uintptr_t)&first[3]);
+    assert_int_equal(redcc_cuts(&fixture.partition, 1)[1], (uintptr_t)&second[1]);
+    end(&fixture);
+}
+
 static void some_have_none(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -323,6 +351,7 @@ int main(void) {
         cmocka_unit_test(borders_belong_to_those_beside_them),
         cmocka_unit_test(blocks_are_of_whole_rows),
         cmocka_unit_test(owners_move_with_the_arrays),
+        cmocka_unit_test(a_cut_is_one_of_the_best),
         cmocka_unit_test(some_have_none),
         cmocka_unit_test(same_bits_for_any_owners),
         cmocka_unit_test(owners_are_kept),

@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -240,6 +241,58 @@ static void a_sequential_loop_is_told_why(void **unused) {
     }
 }
 
+/* Pairs of arrays that overlap are counted one by one, but are one reason. */
+static void an_overlap_is_a_reason(void **unused) {
+    (void)unused;
+    struct statistics it = {0};
+    char why[REDCC_WHY];
+    atomic_store(&it.calls, 5);
+    atomic_store(&it.fallback[REASON_SAVING], 2);
+    redcc_report_overlap(&it, "x", "y");
+    redcc_report_overlap(&it, "x", "z");
+    redcc_report_overlap(&it, "x", "z");
+    redcc_why_sequential(&it, why);
+    const char *const text = redcc_reason_text(REASON_OVERLAP);
+    assert_int_equal(strncmp(why, text, strlen(text)), 0);
+}
+
+/* Lines of redcc_report_validation with this end. */
+static int validation_lines(const char *end, bool *broken) {
+    char line[256];
+    int count = 0;
+    FILE *const said = tmpfile();
+    assert_non_null(said);
+    const int usual = dup(STDERR_FILENO);
+    dup2(fileno(said), STDERR_FILENO);
+    *broken = redcc_report_validation();
+    dup2(usual, STDERR_FILENO);
+    close(usual);
+    rewind(said);
+    while (fgets(line, sizeof line, said))
+        count += strstr(line, end) != NULL;
+    fclose(said);
+    return count;
+}
+
+static void each_loop_says_what_its_slice_does_not_name(void **unused) {
+    (void)unused;
+    struct reported loop[3];
+    bool broken;
+    for (int i = 0; i < 3; i++) {
+        loop[i] = (struct reported){.file = "a.c", .function = "f", .line = i};
+        redcc_report_add(&loop[i]);
+    }
+    assert_int_equal(validation_lines("that the slice does not name", &broken), 0);
+    assert_false(broken);
+    atomic_store(&loop[0].statistics.validated.misnamed, 4);
+    atomic_store(&loop[1].statistics.validated.misnamed, 5);
+    loop[2].statistics.validated.broken = 1;
+    assert_int_equal(validation_lines("that the slice does not name", &broken), 2);
+    assert_true(broken);
+    for (int i = 0; i < 3; i++)
+        redcc_report_remove(&loop[i]);
+}
+
 static void who_is_advised_to_sleep(void **unused) {
     (void)unused;
     assert_true(redcc_advises_sleep(100, 1, NULL, false));
@@ -262,6 +315,8 @@ int main(void) {
         cmocka_unit_test(more_arrays_than_there_is_room_for_are_counted),
         cmocka_unit_test(who_is_advised_to_sleep),
         cmocka_unit_test(a_sequential_loop_is_told_why),
+        cmocka_unit_test(an_overlap_is_a_reason),
+        cmocka_unit_test(each_loop_says_what_its_slice_does_not_name),
         cmocka_unit_test(modes_follow_the_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -21,7 +21,7 @@ static int check_header(const sealed_header *header) {
     return header->payload_size < sizeof(prologue) ? -1 : 0;
 }
 
-static const sealed_kind CHECKPOINT_KIND = {"FABRICCP", 1, "a checkpoint", 1, check_header};
+static const sealed_kind CHECKPOINT_KIND = {"FABRICCP", 2, "a checkpoint", 1, check_header};
 
 static uint64_t hash_mesh(uint64_t hash, const mesh *m) {
     const size_t vertices = (size_t)m->vertex_count, triangles = (size_t)m->triangle_count;

@@ -2,7 +2,7 @@
 /**
  * A file with the state of a run between two steps, from which it continues with the same bits.
  *
- * It is a sealed file (sealed_file.h) of kind "FABRICCP", version 1, without parts. Payload:
+ * It is a sealed file (sealed_file.h) of kind "FABRICCP", version 2, without parts. Payload:
  *
  *   0  uint64   FNV-1a of the cloth's mesh
  *   8  uint64   FNV-1a of the meshes of colliders

@@ -164,6 +164,7 @@ static void pass_counts(archive *a, simulation *sim) {
     archive_long(a, &sim->fallback.solved);
     archive_int(a, &sim->fallback.next);
     archive_int_within(a, &sim->fallback.failed, 0, 1);
+    archive_int_within(a, &sim->fallback.costly, 0, 1);
     archive_long(a, &sim->account.steps_taken);
     archive_long(a, &sim->account.steps_rejected);
     archive_long(a, &sim->account.steps_slept);

@@ -190,12 +190,12 @@ static int check_size(const gltf *g, const char *path) {
     if (g->frames->count > GLTF_MOST_FRAMES)
         fprintf(stderr,
                 "%s: %d frames, expected up to %d in a glTF file: run with fewer --frames, "
-                "or export a point cache (pc2)\n",
+                "or use 'fabric export' (VTK files)\n",
                 path, g->frames->count, GLTF_MOST_FRAMES);
     else if (g->bytes > 1000000ull * GLTF_MOST_MEGABYTES)
         fprintf(stderr,
                 "%s: %llu MB, expected up to %d in a glTF file: run with fewer --frames, or "
-                "export a point cache (pc2)\n",
+                "use 'fabric export' (VTK files)\n",
                 path, (unsigned long long)(g->bytes / 1000000), GLTF_MOST_MEGABYTES);
     else
         return 0;

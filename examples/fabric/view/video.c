@@ -53,12 +53,22 @@ static int open_pipe(int ends[2]) {
                                                                                               : 0;
 }
 
+static void close_pipe(const int ends[2]) {
+    for (int k = 0; k < 2; k++)
+        if (ends[k] >= 0)
+            close(ends[k]);
+}
+
 /** 0, or -1 after a message. */
 static int start(encoder *e, const char *folder, const char *size, const char *rate,
                  const char *path) {
     int pictures[2] = {-1, -1}, report[2] = {-1, -1}, reason = 0;
-    if (open_pipe(pictures) != 0 || open_pipe(report) != 0)
-        return complain_missing(folder, errno);
+    if (open_pipe(pictures) != 0 || open_pipe(report) != 0) {
+        reason = errno;
+        close_pipe(pictures);
+        close_pipe(report);
+        return complain_missing(folder, reason);
+    }
     e->process = fork();
     if (e->process == 0)
         become_ffmpeg(pictures[0], report[1], size, rate, path);

@@ -41,7 +41,6 @@
  *                                                      description gives by redcc_reads_named
  *     redcc_updates_bytes(it, ARRAY, address, bytes)   the same if rows do not begin at
  *     redcc_reads_bytes(it, SOURCE, address, bytes)    a constant base
- *     redcc_reads_ahead(it, base, row)                 base[row] is read, but not recorded
  *
  * BODY. It writes to the arrays only by these calls and reads none of them. It may be executed more
  * than once for one iteration, so its only effects are its updates. ARRAY is a constant.
@@ -134,8 +133,6 @@
     redcc_slice_read_row(it, source, &(base)[row], base, (redcc_int)(row), sizeof((base)[row]))
 #define redcc_updates_bytes(it, array, address, bytes) redcc_slice_update(it, array, address, bytes)
 #define redcc_reads_bytes(it, source, address, bytes) redcc_slice_read(it, source, address, bytes)
-#define redcc_reads_ahead(it, base, row)                                                           \
-    redcc_slice_ahead(it, (redcc_size)(base) + (redcc_size)(row) * sizeof *(base), sizeof *(base))
 /** Returns 1 if the slice must return at once. Called after an update, and after a read that may
  *  overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
 #define redcc_is_finished(it) redcc_slice_finished(it)

@@ -102,29 +102,16 @@ REDCC_INLINE void redcc_describe_named(redcc_description *it, redcc_u32 source, 
 /* ---- slices: all fields are constants in each use ---- */
 
 typedef struct redcc_slice {
-    redcc_probe *probe;   /* not 0: the slice compares with known ranges */
-    redcc_worker *worker; /* 0: the slice prefetches */
-    redcc_u32 sources;    /* not 0: the slice reports only reads of the sources with these bits */
+    redcc_probe *probe; /* not 0: the slice compares with known ranges */
+    redcc_worker *worker;
+    redcc_u32 sources; /* not 0: the slice reports only reads of the sources with these bits */
 } redcc_slice;
 
-REDCC_INLINE void redcc_fetch(redcc_size address, redcc_size bytes) {
-    redcc_size at;
-    for (at = 0; at < bytes && at < 256; at += 64)
-        __builtin_prefetch((const void *)(address + at));
-    if (bytes > 16)
-        __builtin_prefetch((const void *)(address + bytes - 1));
-}
-REDCC_INLINE void redcc_slice_ahead(const redcc_slice *it, redcc_size address, redcc_size bytes) {
-    if (!it->worker)
-        redcc_fetch(address, bytes);
-}
 REDCC_INLINE void redcc_slice_update(const redcc_slice *it, redcc_u32 array, const void *address,
                                      redcc_size bytes) {
     if (it->sources)
         return;
-    if (!it->worker)
-        redcc_fetch((redcc_size)address, bytes);
-    else if (it->probe)
+    if (it->probe)
         redcc_probe_touch(it->probe, it->worker, array, address, bytes);
     else
         redcc_touch_span(it->worker, array, (const char *)address, (const char *)address + bytes);
@@ -134,9 +121,7 @@ REDCC_INLINE void redcc_slice_update_row(const redcc_slice *it, redcc_u32 array,
                                          redcc_size bytes) {
     if (it->sources)
         return;
-    if (!it->worker)
-        redcc_fetch((redcc_size)address, bytes);
-    else if (it->probe)
+    if (it->probe)
         redcc_probe_touch_row(it->probe, it->worker, array, base, row, bytes);
     else
         redcc_touch(it->worker, array, address, bytes);
@@ -145,9 +130,7 @@ REDCC_INLINE void redcc_slice_read(const redcc_slice *it, redcc_u32 source, cons
                                    redcc_size bytes) {
     if (it->sources && !(it->sources >> source & 1))
         return;
-    if (!it->worker)
-        redcc_fetch((redcc_size)address, bytes);
-    else if (it->probe)
+    if (it->probe)
         redcc_probe_read(it->probe, it->worker, source, address, bytes);
     else
         redcc_read(it->worker, source, address, bytes);
@@ -156,15 +139,13 @@ REDCC_INLINE void redcc_slice_read_row(const redcc_slice *it, redcc_u32 source, 
                                        const void *base, redcc_int row, redcc_size bytes) {
     if (it->sources && !(it->sources >> source & 1))
         return;
-    if (!it->worker)
-        redcc_fetch((redcc_size)address, bytes);
-    else if (it->probe)
+    if (it->probe)
         redcc_probe_read_row(it->probe, it->worker, source, base, row, bytes);
     else
         redcc_read(it->worker, source, address, bytes);
 }
 REDCC_INLINE int redcc_slice_reports(const redcc_slice *it) {
-    return it->worker && !it->probe && !it->sources;
+    return !it->probe && !it->sources;
 }
 REDCC_INLINE int redcc_slice_finished(const redcc_slice *it) {
     return redcc_slice_reports(it) && !it->worker->last;
@@ -198,13 +179,6 @@ typedef struct redcc_body {
     void *base[REDCC_MOST_ARRAYS];
     redcc_owner owner[REDCC_MOST_ARRAYS];
 } redcc_body;
-
-#if defined(REDCC_CHECKED) || !defined(__OPTIMIZE__)
-#define REDCC_MUST(it, condition, rule)                                                            \
-    ((condition) ? (void)0 : (it)->worker->call->calls->misuse((it)->worker, rule))
-#else
-#define REDCC_MUST(it, condition, rule) (void)0
-#endif
 
 REDCC_INLINE int redcc_owns_at(const redcc_body *it, redcc_u32 array, const void *address) {
     const redcc_owner *owner = &it->owner[array];

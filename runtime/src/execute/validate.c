@@ -54,19 +54,22 @@ static bool hold(struct held *held, char *place, size_t bytes) {
     return true;
 }
 
-static bool some_are_scattered(const struct plan *plan, void *const *bases) {
-    for (uint32_t array = 0; array < plan->array_count; array++)
-        if (redcc_is_scattered(bases[array]))
+/* Gives up and counts the execution if one of `count` arrays is scattered. */
+static bool pass_over(struct validation *validation, uint32_t count, void *const *bases,
+                      struct validated *validated) {
+    for (uint32_t array = 0; array < count; array++)
+        if (redcc_is_scattered(bases[array])) {
+            validation->gave_up = true;
+            validated->passed_over++;
             return true;
+        }
     return false;
 }
 
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
                             void *const *bases, struct validated *validated) {
-    if (some_are_scattered(plan, bases)) {
-        validated->passed_over++;
+    if (pass_over(validation, plan->array_count, bases, validated))
         return;
-    }
     begin(validation, plan->array_count, plan->method->name);
     for (uint32_t group = 0; validation->began && group < plan->array_count; group++) {
         const size_t bytes = bytes_of(plan, group);
@@ -78,20 +81,21 @@ void redcc_validation_begin(struct validation *validation, const struct plan *pl
     }
 }
 
-void redcc_validation_grow(struct validation *validation, uint32_t count, uint32_t array,
-                           struct range written) {
-    assert(array < count);
-    if (validation->gave_up || written.first >= written.end)
+void redcc_validation_grow(struct validation *validation, const redcc_loop *loop,
+                           void *const *bases, struct written written,
+                           struct validated *validated) {
+    assert(written.array < loop->array_count);
+    if (validation->gave_up || written.bytes.first >= written.bytes.end)
         return;
-    if (!validation->began)
-        begin(validation, count, "binning");
+    if (!validation->began && !pass_over(validation, loop->array_count, bases, validated))
+        begin(validation, loop->array_count, "binning");
     if (!validation->began)
         return;
-    struct held *held = &validation->held[array];
+    struct held *held = &validation->held[written.array];
     const struct range before =
         held->memory ? (struct range){(uintptr_t)held->place, (uintptr_t)held->place + held->bytes}
-                     : written;
-    const struct range all = redcc_range_union(before, written);
+                     : written.bytes;
+    const struct range all = redcc_range_union(before, written.bytes);
     held->in_order = true;
     if (held->memory && all.first == before.first && all.end == before.end)
         return;

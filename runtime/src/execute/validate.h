@@ -7,8 +7,8 @@
  * If the sequential loop's bits are promised, an element with other bits is an error; so is a
  * different integer in any order. For floating sums in another order, only the largest difference
  * is reported. NaNs count as equal, whatever their bits. An execution concurrent with another one
- * of the same loop is not compared. Nor, with a plan, is a loop with a scattered array, because
- * memory between its elements must not be copied.
+ * of the same loop is not compared. Nor is a loop with a scattered array, because memory between
+ * its elements must not be copied.
  *
  * With a plan, the written range is known before the loop runs. For a binned loop it is known
  * before each round's updates are applied, so that the copies grow. If a binned loop continues
@@ -50,10 +50,16 @@ struct held {
 /** The validation of one execution. Zero: none. */
 struct validation {
     bool began;
-    bool gave_up;       /* no memory */
+    bool gave_up;       /* no memory, or an array is scattered */
     const char *method; /* the method that executed the loop */
     uint32_t count;
     struct held *held; /* [count] for each array or, with a plan, each group */
+};
+
+/** Bytes of an array that are about to be written. */
+struct written {
+    uint32_t array;
+    struct range bytes;
 };
 
 /** Copies the contents of the plan's groups, for arrays at `bases`. There is no validation if
@@ -62,10 +68,10 @@ struct validation {
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
                             void *const *bases, struct validated *validated);
 
-/** Without a plan: called before the bytes `written` of one of `count` arrays are written; copies
- * those that are not copied yet. Otherwise the same as redcc_validation_begin. */
-void redcc_validation_grow(struct validation *validation, uint32_t count, uint32_t array,
-                           struct range written);
+/** Without a plan: called before the bytes `written` of one of the loop's arrays, which are at
+ * `bases`; copies those that are not copied yet. Otherwise the same as redcc_validation_begin. */
+void redcc_validation_grow(struct validation *validation, const redcc_loop *loop,
+                           void *const *bases, struct written written, struct validated *validated);
 
 /** After the loop: saves its results, and restores the arrays' previous contents. */
 void redcc_validation_swap(struct validation *validation);

@@ -134,22 +134,24 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
     }
 }
 
-/* The cut between points that best separates the iterations completely below owner `owner` from
- * those completely at or above it. Of equally good positions: midway between the first and the
- * last. */
-static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
-    const struct points points = work->points_of[group];
-    long cost = 0;
-    for (size_t i = 0; i < points.count; i++) {
-        const struct label label = work->label_of_point[i];
-        cost += label.low <= label.high && label.high < owner;
-    }
-    long least = cost;
+/* How the number of iterations on the wrong side of the cut changes if the cut moves from before a
+ * point of an iteration with this label to after it. */
+static long change_beyond(struct label label, uint32_t owner) {
+    return label.low > label.high ? 0 : (label.low >= owner) - (label.high < owner);
+}
+
+static size_t distance(size_t a, size_t b) {
+    return a < b ? b - a : a - b;
+}
+
+/* The number of points below the cut that best separates the iterations completely below owner
+ * `owner` from those completely at or above it. Of equally good numbers: the one nearest to the
+ * middle between the first and the last. */
+static size_t best_place(const struct label *of_point, size_t count, uint32_t owner) {
+    long cost = 0, least = 0; /* relative to a cut before all points */
     size_t first = 0, last = 0;
-    for (size_t i = 0; i < points.count; i++) { /* moves the cut from before point i to after it */
-        const struct label label = work->label_of_point[i];
-        if (label.low <= label.high)
-            cost += (label.low >= owner) - (label.high < owner);
+    for (size_t i = 0; i < count; i++) {
+        cost += change_beyond(of_point[i], owner);
         if (cost < least) {
             least = cost;
             first = i + 1;
@@ -157,8 +159,20 @@ static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owne
         if (cost == least)
             last = i + 1;
     }
-    last = last < first ? first : last;
-    const size_t place = first + (last - first) / 2;
+    const size_t middle = first + (last - first) / 2;
+    size_t best = first;
+    cost = 0;
+    for (size_t i = 0; i < last; i++) {
+        cost += change_beyond(of_point[i], owner);
+        if (cost == least && distance(i + 1, middle) < distance(best, middle))
+            best = i + 1;
+    }
+    return best;
+}
+
+static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
+    const struct points points = work->points_of[group];
+    const size_t place = best_place(work->label_of_point, points.count, owner);
     if (place == points.count) /* everything is below: the owners above get nothing */
         return UINTPTR_MAX;
     return redcc_unit_begin(work->partition, group, points.point[place].address);
