@@ -69,12 +69,12 @@ static float narrow(const float *table, unsigned char at, double w) {
     at += 200;
     cut = (short)(w * 65537 + at);
     cut = (short)(cut & 31);
-    return table[at % CELLS] + table[cut];
+    return table[at] + table[cut + CELLS];
 }
 
 static void narrows(int n, float *b, const float *table) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        b[s[t]] += narrow(table, (unsigned char)k[t], z[t]);
+        b[s[t]] += narrow(table, (unsigned char)(56 + s[t]), z[t]);
 }
 
 /* In each turn of a loop of its own. */

@@ -78,10 +78,10 @@ void by_branches(int n, const int *s, const int *k, const float *table, float *b
 }
 
 static float again(const float *table, int at) {
-back:
-    at = at + 4;
     if (at < 3)
-        goto back;
+        goto behind;
+    at = 3;
+behind:;
     return table[at];
 }
 
