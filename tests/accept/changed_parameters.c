@@ -74,7 +74,7 @@ static float narrow(const float *table, unsigned char at, double w) {
 
 static void narrows(int n, float *b, const float *table) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        b[s[t]] += narrow(table, (unsigned char)(56 + s[t]), z[t]);
+        b[s[t]] += narrow(table, (unsigned char)(55 + CELLS - s[t]), z[t]);
 }
 
 /* In each turn of a loop of its own. */
