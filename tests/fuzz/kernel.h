@@ -111,6 +111,7 @@ typedef struct kernel {
     bool has_leaving; /* programs of seeds that leave 2, divided by 6: leave.c */
     bool has_recent;  /* programs of seeds that leave 2, 5, 6 or 9, divided by 10: recent.c */
     bool has_tables;  /* programs of seeds that leave 3, divided by 8: tables.c */
+    bool has_lookups; /* programs of seeds that leave 4, divided by 6: lookups.c */
     bool has_held;    /* objects that cannot be written during the calls */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
@@ -176,7 +177,7 @@ const char *contribution(kernel *k, const array *a);
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
- * turns.c, walks.c, shapes.c, leave.c, recent.c, tables.c */
+ * turns.c, walks.c, shapes.c, leave.c, recent.c, tables.c, lookups.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -209,6 +210,7 @@ void loop_with_directives(kernel *k);
 void loop_along_a_list(kernel *k);
 void walk_along_elements(kernel *k);
 void tables_by_pointers(kernel *k);
+void look_up_by_changed(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

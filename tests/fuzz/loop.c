@@ -363,6 +363,8 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
     put(k, &k->body, "%s{\n", head.data);
     buffer_free(&head);
     add_name(&k->scope.positions, counter);
+    if (k->has_lookups && chance(k, 60))
+        look_up_by_changed(k);
     if (k->has_parts && chance(k, 60))
         put_parts(k);
     else if (k->has_turns && chance(k, 80))
@@ -451,6 +453,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_turns = seed % 7 == 6;
     k.has_walks = seed % 9 == 4;
     k.has_tables = seed % 8 == 3;
+    k.has_lookups = seed % 6 == 4;
     k.has_shapes = seed % 3 == 1;
     k.has_leaving = seed % 6 == 2;
     k.has_recent = strchr("2569", '0' + (int)(seed % 10)) != NULL;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements of a table that a function computes: nothing tells where they end, or what seems to.
+// Elements of a table that a function computes: nothing tells where they end, or what seems to. A loop that changes the
+// value, or a call of floor, keeps the subscript itself unknown.
 // covers: row 17
 #include <math.h>
 
@@ -30,6 +31,8 @@ void no_start(int n, const int *k, const double *x, double *h, const struct tabl
 }
 
 static double beyond(const struct table *t, double r) { /* no last entry */
+    while (r > 1e9)
+        r /= 2;
     if (r < t->x0)
         r = t->x0;
     return t->values[(int)((r - t->x0) * t->inverse)];
@@ -70,6 +73,8 @@ void address_taken(int n, const int *k, const int *x, double *h, const struct ta
 }
 
 static double one_branch(const struct table *t, int i, int is_kept) {
+    while (i > 999)
+        i /= 2;
     if (is_kept) {
         if (i < 0)
             i = 0;
@@ -84,6 +89,8 @@ void sometimes(int n, const int *k, const int *x, double *h, const struct table 
 }
 
 static double wrapped(const struct table *t, int i) { /* below 0 it is a large one */
+    while (i > 999)
+        i /= 2;
     unsigned at = i - 5;
     if (at > t->m)
         at = t->m;
@@ -95,6 +102,8 @@ void unsigned_one(int n, const int *k, const int *x, double *h, const struct tab
 }
 
 static double against_unsigned(const struct table *t, int i) { /* whose end no int may be */
+    while (i > 999)
+        i /= 2;
     if (i < 0)
         i = 0;
     if (i > t->m)
@@ -107,6 +116,8 @@ void mixed_signs(int n, const int *k, const int *x, double *h, const struct tabl
 }
 
 static double narrow(const struct table *t, int i) { /* 200 becomes -56 */
+    while (i > 999)
+        i /= 2;
     if (i < 0)
         i = 0;
     if (i > t->n)

@@ -30,6 +30,18 @@ static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
     return found;
 }
 
+/* Does the value of `v[k][1] = v[k][1] + 3` read the part of a vector that is assigned? Opaque
+ * nodes equal nothing, but this only decides whether the loop is reported. */
+static bool reads_opaque(const ir_node *value, const ir_node *target) {
+    bool is_same = value->kind == IR_OPAQUE && value->child_count == target->child_count &&
+                   target->child_count > 0;
+    for (unsigned i = 0; is_same && i < value->child_count; i++)
+        is_same = expression_same(value->children[i], target->children[i]);
+    for (unsigned i = 0; !is_same && i < value->child_count; i++)
+        is_same = reads_opaque(value->children[i], target);
+    return is_same;
+}
+
 /* The target of an update whose loop is reported; or NULL. */
 static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     update_group group;
@@ -38,6 +50,9 @@ static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     if (node->kind == IR_ASSIGN || node->kind == IR_UNARY) {
         update_form form = update_form_of(node);
         if (form.is_update && form.target->kind != IR_VARIABLE)
+            return form.target;
+        if (node->kind == IR_ASSIGN && form.target->kind == IR_OPAQUE && form.value &&
+            reads_opaque(form.value, form.target))
             return form.target;
     }
     return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
@@ -68,7 +83,7 @@ static bool has_conflict(const analyser *an, const ir_node *loop, const ir_node 
     const ir_node *target = updated_target(an, node);
     if (!target || conflict_of(an->facts, loop, target) != kind)
         return false;
-    const ir_variable *object = location_of(an->facts, target, loop).object;
+    const ir_variable *object = location_of(an->facts, conflict_whole(target), loop).object;
     const ir_node *declarator = object ? variable_fact_of(an->facts, object)->declarator : NULL;
     return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }

@@ -314,12 +314,15 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* If `found` is refused for a pointer read only under conditions, or whose target must be known
- * when the loop begins: analyses the loop with variables replacing its pointers. */
+/* If `found` is refused for a pointer that is read only under conditions, whose target must be known
+ * when the loop begins, or behind which each iteration may have its own element: analyses the loop
+ * with variables replacing its pointers. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
+    const reason_id why = found.why.id;
+    const bool may_be_own = why == REASON_OTHER_STORE || why == REASON_ARRAY_READ;
     if (found.kind != VERDICT_REFUSE ||
-        (found.why.id != REASON_BASE_CONDITIONAL && found.why.id != REASON_MAY_ALIAS))
+        (why != REASON_BASE_CONDITIONAL && why != REASON_MAY_ALIAS && !may_be_own))
         return found;
     const loop_loads *loads = loop_loads_find(an->memory, an->unit, function, ir_loop_body(loop));
     if (!loads || !loads_stay(an, loop, loads))
@@ -327,7 +330,10 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     loop_loads_take_out(loads);
     const loop_verdict loading = analysed(an, function, loop, NULL, exits, loads);
     loop_loads_put_back(loads);
-    return loading;
+    /* if nothing is an iteration's own, only the array's name has changed */
+    return may_be_own && (loading.kind != VERDICT_TRANSFORM || !loading.facts->variables.own_count)
+               ? found
+               : loading;
 }
 
 /* Analyses the loop without its exits; VERDICT_NOT_A_REDUCTION if one of them cannot be removed. */

@@ -82,6 +82,10 @@ bool ir_is_increment(const ir_node *node) {
            node->op <= IR_OP_POST_DECREMENT;
 }
 
+bool ir_is_complex_part(const ir_node *node) {
+    return node->kind == IR_UNARY && (node->op == IR_OP_REAL || node->op == IR_OP_IMAG);
+}
+
 bool ir_continues(const ir_node *node) {
     if (node->kind == IR_CONTINUE)
         return true;

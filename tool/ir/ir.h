@@ -443,6 +443,8 @@ bool ir_may_be_entered(const ir_node *node);
 bool ir_holds_case(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
+/** The real or the imaginary part of its operand. */
+bool ir_is_complex_part(const ir_node *node);
 /** Does a loop's body contain a `continue` of that loop? */
 bool ir_continues(const ir_node *node);
 /** Does a loop's body contain a return, a goto, or a break of that loop? */

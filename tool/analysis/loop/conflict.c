@@ -31,9 +31,20 @@ static bool is_varying(const query *q, const ir_node *node) {
     return !variation_is_invariant(q->facts, q->loop, node);
 }
 
+/* The value of ({ ...; value; }); NULL: it is none. */
+static const ir_node *value_of_statements(const ir_node *node) {
+    const ir_node *block = ir_is_statement_expression(node) ? node->children[0] : NULL;
+    const ir_node *last =
+        block && block->child_count ? block->children[block->child_count - 1] : NULL;
+    return last && last->kind == IR_EXPRESSION ? last->children[0] : NULL;
+}
+
 static const ir_node *without_casts(const ir_node *node) {
-    while (node->kind == IR_CAST || (node->kind == IR_UNARY && ir_is_increment(node)))
-        node = node->children[0];
+    const ir_node *value = value_of_statements(node);
+    while (value || node->kind == IR_CAST || (node->kind == IR_UNARY && ir_is_increment(node))) {
+        node = value ? value : node->children[0];
+        value = value_of_statements(node);
+    }
     return node;
 }
 
@@ -279,11 +290,32 @@ static terms terms_of(query *q, const ir_node *lvalue) {
     return all;
 }
 
+/* An element of a vector, or a selection: `_Generic(0, int: h[k])`. */
+static conflict_kind conflict_of_opaque(variable_facts *facts, const ir_node *loop,
+                                        const ir_node *opaque, const ir_node *place) {
+    conflict_kind worst = CONFLICT_NONE;
+    for (unsigned i = 0; i < opaque->child_count; i++) {
+        const conflict_kind kind = conflict_at(facts, loop, opaque->children[i], place);
+        worst = kind > worst ? kind : worst;
+    }
+    return worst;
+}
+
+const ir_node *conflict_whole(const ir_node *lvalue) {
+    while ((lvalue->kind == IR_OPAQUE && lvalue->child_count) || ir_is_complex_part(lvalue))
+        lvalue = lvalue->children[0];
+    return lvalue;
+}
+
 conflict_kind conflict_at(variable_facts *facts, const ir_node *loop, const ir_node *lvalue,
                           const ir_node *place) {
+    if (lvalue->kind == IR_OPAQUE)
+        return conflict_of_opaque(facts, loop, lvalue, place);
+    if (ir_is_complex_part(lvalue))
+        return conflict_at(facts, loop, lvalue->children[0], place);
     query q = {facts, loop, place, 0};
     assert(ir_is_loop(loop));
-    if (!expression_is_lvalue(lvalue)) /* as of `__real__ z[k] += 1`: it is not analysed */
+    if (!expression_is_lvalue(lvalue))
         return CONFLICT_NONE;
     if (variation_is_irregular(facts, loop, lvalue))
         return CONFLICT_SHARED;

@@ -16,8 +16,13 @@ typedef enum conflict_kind {
     CONFLICT_SHARED   /* a table, a loaded pointer, or a variable range selects the element */
 } conflict_kind;
 
+/** The number, vector or other object that the lvalue is a part of, as in `__real__ z[k]`; the
+ *  lvalue itself if it is no such part. */
+const ir_node *conflict_whole(const ir_node *lvalue);
+
 /** For an lvalue that is updated in the loop by the node at `place`: the lvalue itself, or a call
- *  whose function updates it. Rows of matrices, a[i * n + j] and a[i][j], count as
+ *  whose function updates it. Of a part of an object, the conflict of the whole, whichever parts
+ *  the iterations update. Rows of matrices, a[i * n + j] and a[i][j], count as
  *  separate for each iteration i, and so do consecutive segments, first[i] up to first[i + 1]. */
 conflict_kind conflict_at(variable_facts *facts, const ir_node *loop, const ir_node *lvalue,
                           const ir_node *place);

@@ -116,6 +116,8 @@ static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *sk
 
 static void walk_assignment(access_walk *w, const ir_node *node) {
     update_form form = update_form_of(node);
+    if (ir_is_complex_part(form.target))
+        access_problem_add(w, REASON_OPAQUE, node, "assignment to a part of a complex number");
     walk_address(w, form.target);
     if (form.value)
         walk_skipping(w, form.value, form.has_operator ? form.self : NULL);

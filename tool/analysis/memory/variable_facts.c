@@ -27,6 +27,10 @@ static bool is_handed_over(const ir_node *node) {
     while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node) ||
                       (parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW)) ||
                       parent->kind == IR_CAST || parent->kind == IR_BINARY)) {
+        const bool is_part = parent->kind == IR_INDEX || parent->kind == IR_MEMBER;
+        if (is_part && parent->type && parent->type->kind != IR_ARRAY &&
+            parent->type->kind != IR_RECORD)
+            return false; /* its value, whatever is made of it */
         node = parent;
         parent = node->parent;
     }

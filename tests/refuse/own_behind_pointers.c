@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The smallest changes after which the records of accept/own_behind_pointers.c are not an iteration's own.
+
+struct part {
+    int cell;
+    float x;
+    struct part *next;
+};
+struct species {
+    int n;
+    struct part *part;
+    float *grid;
+};
+
+/* The pointer moves. */
+void moves(struct species *s, int n, float *to) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse element-type
+        s->part[i].cell += 1;
+        to[s->part[i].cell] += 1;
+        s->part++;
+    }
+}
+
+/* What is stored may be the pointer itself. */
+void stores_pointers(struct species *s, int n, float *to) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse other-store
+        s->part[i].next = s->part;
+        s->part[i].cell += 1;
+        to[s->part[i].cell] += 1;
+    }
+}
+
+/* The structure is another one in each iteration. */
+void other_structure(struct species *s, int n, float *to) {
+    for (int i = 0; i < n; i++) { // EXPECT: nothing
+        s->part[i].cell += 1;
+        to[s->part[i].cell] += 1;
+        s = s + (i & 1);
+    }
+}
+
+/* Another iteration's record. */
+void neighbour(struct species *s, int n, float *to) {
+    for (int i = 1; i < n; i++) { // EXPECT: nothing
+        s->part[i].cell = s->part[i - 1].cell + 1;
+        to[s->part[i].cell] += 1;
+    }
+}
+
+void half(struct species *s, int n, float *to) {
+    for (int i = 0; i < n; i++) { // EXPECT: nothing
+        s->part[i / 2].cell += 1;
+        to[s->part[i / 2].cell] += 1;
+    }
+}
+
+/* A function of another file may set the pointer. */
+void sort(struct species *s);
+void calls(struct species *s, int n, float *to) {
+    for (int i = 0; i < n; i++) { // EXPECT: nothing
+        s->part[i].cell += 1;
+        to[s->part[i].cell] += 1;
+        if (i % 100 == 99)
+            sort(s);
+    }
+}

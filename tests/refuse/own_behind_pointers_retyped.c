@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// FLAGS: -fno-strict-aliasing
+// Where types tell nothing apart, a record's store may be to the pointer on the way to the records.
+struct part {
+    int cell, other;
+};
+struct species {
+    int n;
+    struct part *part;
+};
+
+void deposits(struct species *s, int n, float *restrict to) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        s->part[i].cell += 1;
+        to[s->part[i].cell] += 1;
+    }
+}
