@@ -3,6 +3,8 @@
 /* The decision is on the line of the loop. */
 /* clang-format off */
 
+enum { DOWN = -5 };
+
 struct vector {
     double x, y, z;
 };
@@ -56,6 +58,93 @@ void repeated(int n, const int *restrict s, const double *w, double *h) {
         while (d > 1)
             d -= 1;
         h[s[t]] += d;
+    }
+}
+
+/* A counter that may never reach the bound: it has not all values of the bound's type, or is
+ * compared as another type. */
+void never_reached(int n, long m, unsigned u, unsigned long lu, double x, const int *restrict s,
+                   const double *w, double *h) {
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < m; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < u; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        long sum = 0;
+        if (w[t] > 0)
+            for (long j = 0; j < lu; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 9; j > u; j--)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (unsigned j = 0; j < DOWN; j += 7)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < x; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+}
+
+void always_reached(int n, short m, unsigned u, unsigned char c, const int *restrict s,
+                    const double *w, double *h) {
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < m + c; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (long j = 0; j < u; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (unsigned j = 0; j < n; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (int j = 900; j > c; j--)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (int j = 900; j >= DOWN; j -= 3)
+                sum ^= j;
+        h[s[t]] += sum;
     }
 }
 
