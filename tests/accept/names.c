@@ -109,8 +109,21 @@ static void types(int n) {
     }
 }
 
+/* Parameters that are constant themselves. */
+typedef double *const restrict target;
+typedef double (*const rows)[2];
+static void constants(const int n, const int *const k, const double *const restrict x,
+                      const double (*const y)[2], target to, rows pairs, const rows *const all) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        to[k[t]] += x[t] * y[t / 2][t % 2];
+        pairs[k[t] / 2][k[t] % 2] -= (*all)[1][0];
+    }
+}
+
 int main(void) {
     static grid g;
+    static double pairs[M / 2][2];
+    const rows all = (double(*)[2])g.in[1].h;
     g.b = b;
     g.in[0].s = g.in[1].s = s;
     case_values(w, N);
@@ -124,6 +137,8 @@ int main(void) {
         layout(N);
         functions(N);
         types(N);
+        constants(N, s, w, (const double(*)[2])w, h, pairs, &all);
+        CASE_PRINT(pairs);
         CASE_PRINT(h);
         CASE_PRINT(b);
         case_print("in", g.in[0].h, sizeof g.in[0].h);

@@ -59,7 +59,7 @@ void set_names(loop_text *loop) {
 
 /** The type's spelling for a parameter or variable of a generated function. `restrict` becomes
  *  __restrict__, which compilers know in every C standard; at the end, where it qualifies the
- *  parameter itself, it is dropped. */
+ *  parameter itself, it is dropped, with the blank in front of it. */
 static const char *spelling_of(arena *a, const ir_type *type) {
     static const char word[] = "restrict";
     enum { LENGTH = sizeof word - 1 };
@@ -73,6 +73,8 @@ static const char *spelling_of(arena *a, const ir_type *type) {
             buffer_byte(&out, *at);
         at += is_word ? LENGTH : 1;
     }
+    while (out.length > 0 && out.data[out.length - 1] == ' ')
+        buffer_shorten(&out, 1);
     return buffer_take(a, &out);
 }
 
@@ -93,6 +95,20 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return "int";
 }
 
+/** The spelling of a constant pointer to an array or function, `double (*const)[3]`, without its
+ * own `const`. It is the last one in the innermost parentheses. */
+static const char *without_const_inside(arena *a, const char *spelling) {
+    static const char word[] = "const";
+    const char *const close = strchr(spelling, ')'), *own = NULL, *at = close;
+    while (at && at > spelling && *at != '(' && *at != '*') {
+        at--;
+        own = source_starts_with(at, word) ? at : own;
+    }
+    if (!own || *at != '*')
+        return spelling;
+    return arena_format(a, "%.*s%s", (int)(own - spelling), spelling, own + sizeof word - 1);
+}
+
 /** The type's spelling without its own `const`, so that objects of it can be assigned. */
 static const char *unqualified(arena *a, const ir_type *type) {
     static const char before[] = "const ", after[] = "const";
@@ -105,7 +121,7 @@ static const char *unqualified(arena *a, const ir_type *type) {
     if (type->kind == IR_POINTER && length > sizeof after &&
         strcmp(spelling + length - (sizeof after - 1), after) == 0)
         return arena_copy(a, spelling, length - (sizeof after - 1));
-    return spelling;
+    return type->kind == IR_POINTER ? without_const_inside(a, spelling) : spelling;
 }
 
 const char *assignable_declaration_text(loop_text *loop, const ir_type *type, const char *name) {
