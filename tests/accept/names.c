@@ -109,6 +109,23 @@ static void types(int n) {
     }
 }
 
+/* Members that are named as members of the same name would be numbered. */
+struct alike {
+    double *f, *f_1;
+};
+static void alike(struct alike *p, struct alike *q, struct alike *r, int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        p->f[s[t]] += w[t];
+        q->f[s[t]] -= w[t];
+        r->f_1[s[t]] += w[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        r->f_1[s[t]] += w[t];
+        p->f[s[t]] += w[t];
+        q->f[s[t]] -= w[t];
+    }
+}
+
 /* Parameters that are constant themselves. */
 typedef double *const restrict target;
 typedef double (*const rows)[2];
@@ -122,7 +139,8 @@ static void constants(const int n, const int *const k, const double *const restr
 
 int main(void) {
     static grid g;
-    static double pairs[M / 2][2];
+    static double pairs[M / 2][2], of_f[2][M];
+    struct alike p = {of_f[0], NULL}, q = {of_f[1], NULL}, r = {NULL, b};
     const rows all = (double(*)[2])g.in[1].h;
     g.b = b;
     g.in[0].s = g.in[1].s = s;
@@ -139,6 +157,8 @@ int main(void) {
         types(N);
         constants(N, s, w, (const double(*)[2])w, h, pairs, &all);
         CASE_PRINT(pairs);
+        alike(&p, &q, &r, N);
+        CASE_PRINT(of_f);
         CASE_PRINT(h);
         CASE_PRINT(b);
         case_print("in", g.in[0].h, sizeof g.in[0].h);

@@ -15,19 +15,24 @@ static const char *short_name(const ir_node *base) {
     return "array";
 }
 
+static bool is_one_of(const char *const *names, unsigned count, const char *name) {
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(names[i], name) == 0)
+            return true;
+    return false;
+}
+
 static void name_arrays(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     array_text *arrays = ARENA_ARRAY(loop->arena, array_text, facts->array_count);
+    const char **names = ARENA_ARRAY(loop->arena, const char *, facts->array_count + 1);
     for (unsigned i = 0; i < facts->array_count; i++) {
         const ir_node *base = facts->arrays[i].base;
         const char *name = short_name(base);
-        for (unsigned other = 0; other < i; other++)
-            if (strcmp(short_name(facts->arrays[other].base), name) == 0) {
-                name = arena_format(loop->arena, "%s_%u", name, i);
-                break;
-            }
+        while (is_one_of(names, i, name))
+            name = arena_format(loop->arena, "%s_%u", name, i);
+        names[i] = name;
         array_text *text = &arrays[i];
-        text->owner = arena_format(loop->arena, "redcc__own_%s", name);
         if (facts->arrays[i].is_scattered)
             continue; /* the array needs no name: the body reaches its elements through pointers */
         text->base = loop_operand(loop, base);
