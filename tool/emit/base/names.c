@@ -171,7 +171,7 @@ const char *outlined_name(loop_text *loop, const char *part) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     const char *name =
         arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name, place.line);
-    return is_behind_another(loop) ? arena_format(loop->arena, "%s_%u", name, place.column) : name;
+    return is_behind_another(loop) ? arena_format(loop->arena, "%s_c%u", name, place.column) : name;
 }
 
 const char *private_declaration(loop_text *loop, const private_variable *item) {
