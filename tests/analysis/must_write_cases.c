@@ -2,8 +2,8 @@
 /*
  * Cases of the must-write proof; must_write_cases.ir is this file as the frontend sees it. In each
  * function whose name begins with proved_, early_ (read before written) or unknown_, the variable f
- * is judged for the body of the outermost loop that is counted by t. Names that end in _whole or
- * _same say what is definitely assigned when an iteration ends, others say that nothing is.
+ * is judged for the body of the outermost loop that is counted by t. If the name ends in _whole, all
+ * of f is definitely assigned when an iteration ends; otherwise not.
  */
 #include <math.h>
 #include <string.h>
@@ -57,14 +57,14 @@ void early_scalar_incremented_whole(int n) {
         f++;
 }
 
-void proved_never_used_same(int n) {
+void proved_never_used(int n) {
     double f[2];
     for (int t = 0; t < n; t++)
         use(1.0);
     use(f[0]);
 }
 
-void early_only_read_same(int n) {
+void early_only_read(int n) {
     double f[2] = {0};
     for (int t = 0; t < n; t++)
         use(f[1]);
@@ -220,7 +220,7 @@ void proved_constant_loop_whole(int n, const double *v) {
     }
 }
 
-void early_short_loop_same(int n, const double *v) {
+void early_short_loop(int n, const double *v) {
     double f[3] = {0};
     for (int t = 0; t < n; t++) {
         for (int c = 0; c < 2; c++)
@@ -229,7 +229,7 @@ void early_short_loop_same(int n, const double *v) {
     }
 }
 
-void proved_short_loop_same(int n, const double *v) {
+void proved_short_loop(int n, const double *v) {
     double f[3] = {0};
     for (int t = 0; t < n; t++) {
         for (int c = 0; c < 2; c++)
@@ -330,7 +330,7 @@ void proved_read_in_unknown_rounds_whole(int n, const int *m, const double *v) {
     }
 }
 
-void early_read_with_unknown_subscript_same(int n, const int *m, const double *v) {
+void early_read_with_unknown_subscript(int n, const int *m, const double *v) {
     double f[3] = {0};
     for (int t = 0; t < n; t++) {
         f[0] = f[1] = v[t];
@@ -613,7 +613,7 @@ void proved_members_whole(int n, const double *v) {
     }
 }
 
-void early_members_same(int n, const double *v) {
+void early_members(int n, const double *v) {
     struct vector f = {0}, g;
     for (int t = 0; t < n; t++) {
         f.x = v[t];
@@ -653,7 +653,7 @@ void proved_assigned_record_whole(int n, const struct body *b) {
     }
 }
 
-void proved_member_array_same(int n, const double *v) {
+void proved_member_array(int n, const double *v) {
     struct body f;
     for (int t = 0; t < n; t++) {
         f.mass[0] = f.mass[1] = v[t];
@@ -662,7 +662,7 @@ void proved_member_array_same(int n, const double *v) {
     use(f.at.x);
 }
 
-void early_member_array_same(int n, const double *v) {
+void early_member_array(int n, const double *v) {
     struct body f = {0};
     for (int t = 0; t < n; t++) {
         f.mass[0] = v[t];
@@ -687,7 +687,7 @@ static double length(struct vector a) {
     return a.x + a.y + a.z;
 }
 
-void early_record_argument_same(int n, const double *v) {
+void early_record_argument(int n, const double *v) {
     struct vector f = {0};
     for (int t = 0; t < n; t++) {
         f.x = f.y = v[t];
@@ -813,7 +813,7 @@ void proved_pointer_not_left_behind_whole(int n, const double *v) {
     }
 }
 
-void early_pointer_from_last_iteration_same(int n, const double *v) {
+void early_pointer_from_last_iteration(int n, const double *v) {
     double f[2] = {0}, *p;
     for (int t = 0; t < n; t++) {
         if (t > 0)
@@ -925,7 +925,7 @@ void proved_callee_whole(int n, const double *v) {
     }
 }
 
-void early_callee_same(int n, const double *v) {
+void early_callee(int n, const double *v) {
     double f[4] = {0};
     for (int t = 0; t < n; t++) {
         fill(v + t, f);
@@ -959,7 +959,7 @@ void proved_callee_constant_count_whole(int n, const double *v) {
     }
 }
 
-void early_callee_other_count_same(int n, const double *v) {
+void early_callee_other_count(int n, const double *v) {
     double f[5] = {0};
     for (int t = 0; t < n; t++) {
         fill_n(4, v[t], f);
@@ -1057,7 +1057,7 @@ void proved_pure_callee_whole(int n, const double *v) {
     }
 }
 
-void early_pure_callee_same(int n, const double *v) {
+void early_pure_callee(int n, const double *v) {
     double f[2] = {0};
     for (int t = 0; t < n; t++) {
         f[0] = v[t];
@@ -1120,7 +1120,7 @@ void proved_memset_whole(int n) {
     }
 }
 
-void early_memset_same(int n) {
+void early_memset(int n) {
     double f[4] = {0};
     for (int t = 0; t < n; t++) {
         memset(f, 0, 3 * sizeof f[0]);
@@ -1271,7 +1271,7 @@ void proved_record_callee_whole(int n, const double *v) {
     }
 }
 
-void early_record_callee_same(int n, const double *v) {
+void early_record_callee(int n, const double *v) {
     struct body f = {0};
     for (int t = 0; t < n; t++) {
         reset_but_one(&f, v[t]);
@@ -1322,7 +1322,7 @@ void early_variable_before_the_loop(int n, const double *v) {
     }
 }
 
-void early_constant_condition_not_taken_same(int n, const double *v) {
+void early_constant_condition_not_taken(int n, const double *v) {
     double f = 0;
     for (int t = 0; t < n; t++) {
         const int dimension = 2;
@@ -1332,7 +1332,7 @@ void early_constant_condition_not_taken_same(int n, const double *v) {
     }
 }
 
-void early_counter_starts_beyond_same(int n, const double *v) {
+void early_counter_starts_beyond(int n, const double *v) {
     double f[3] = {0};
     for (int t = 0; t < n; t++) {
         for (unsigned char c = 254; c < 3; c++)

@@ -98,17 +98,15 @@ static bool is_case(const ir_function *function) {
 static unsigned check_case(must_write *prover, const ir_function *function) {
     const char *name = function->name;
     const private_result result = judge(prover, function);
-    const bool is_whole = ends_with(name, "_whole"), is_same = ends_with(name, "_same");
+    const bool is_whole = ends_with(name, "_whole");
     const private_verdict expected = expected_verdict(name);
     unsigned wrong = result.verdict != expected;
     if (expected != PRIVATE_UNKNOWN && result.verdict == expected)
-        wrong |= result.assigned_at_end != is_whole ||
-                 result.assigned_same_bytes != (is_whole || is_same);
+        wrong |= result.assigned_at_end != is_whole;
     wrong |= (result.why == NULL) != (result.verdict == PRIVATE_PROVED);
     if (wrong)
-        print_error("%s: verdict %d (%s), assigned at end %d, same bytes %d\n", name,
-                    (int)result.verdict, result.why != NULL ? result.why : "-",
-                    result.assigned_at_end, result.assigned_same_bytes);
+        print_error("%s: verdict %d (%s), assigned at end %d\n", name, (int)result.verdict,
+                    result.why != NULL ? result.why : "-", result.assigned_at_end);
     return wrong;
 }
 
@@ -139,7 +137,7 @@ static void test_order_of_queries(void **context) {
 static void test_node_in_the_way(void **context) {
     (void)context;
     must_write *prover = must_write_new(memory, unit, NULL);
-    const ir_function *function = ir_function_named(unit, "early_callee_same");
+    const ir_function *function = ir_function_named(unit, "early_callee");
     const private_result result = judge(prover, function);
     assert_non_null(result.node);
     assert_int_equal(result.node->kind, IR_INDEX);

@@ -157,6 +157,9 @@ static void assert_slice(const loop_facts *facts) {
         assert(facts->inspector.key[i] && ir_is_expression(facts->inspector.key[i]));
     for (unsigned i = 0; i < facts->inspector.span_count; i++)
         assert_span(facts, &facts->inspector.spans[i]);
+    for (unsigned i = 0; i < facts->inspector.hull_count; i++)
+        assert(is_in_loop(facts, facts->inspector.hulls[i]) &&
+               facts->slice.holds[facts->inspector.hulls[i]->id]);
 }
 
 /* ---- verdicts ------------------------------------------------------------------------------- */

@@ -15,6 +15,7 @@
 #include "analysis/loop/conflict.h"
 #include "analysis/loop/gate.h"
 #include "analysis/loop/loads_stay.h"
+#include "analysis/loop/hulls.h"
 #include "analysis/loop/spans.h"
 #include "analysis/overlap/sources.h"
 #include "analysis/private/induction.h"
@@ -163,6 +164,9 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     const span_list spans = find_spans(j);
     facts->inspector.spans = spans.items;
     facts->inspector.span_count = spans.count;
+    const hull_list hulls = find_hulls(j, &spans);
+    facts->inspector.hulls = hulls.items;
+    facts->inspector.hull_count = hulls.count;
     facts->slice.has_floating_work = j->slice.has_floating_work;
     facts->inspector.exists = facts->slice.has_rows = j->slice.has_rows;
     facts->slice.is_verifiable = j->slice.is_verifiable;

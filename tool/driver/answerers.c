@@ -55,8 +55,8 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* The compiler's output for these options, which depends on no source; `of_whom` identifies the
- * compiler. NULL: it fails. */
+/* The compiler's output for these options, kept under `of_whom`, the compiler's identity: no source
+ * may affect it. NULL: the compiler fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;

@@ -162,8 +162,8 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
     record->tag = bins->streams[record->stream].tag_count++;
 }
 
-/** Gives all updates of a stream one type of record; some use only its first values. False: their
- *  values differ in type, or are too many. */
+/** Adds the types of the record's values to those of its stream's records, of which a record may
+ *  use only the first ones. False: they differ, or are too many. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);

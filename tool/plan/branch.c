@@ -71,7 +71,7 @@ static bool has_values_of(const ir_type *counter, const ir_type *bound) {
             (bound->size == counter->size && (bound->is_signed || !counter->is_signed)));
 }
 
-/** Is it a constant so far from the counter's limits that a step cannot jump over both? */
+/** Is it a constant so near to 0 that no step leads from before it beyond the counter's limits? */
 static bool is_near(const ir_node *bound, int64_t step, const ir_type *counter) {
     enum { FAR = (1 << 30) - 1 };
     return bound->flags & IR_HAS_VALUE && bound->value <= FAR && step >= -FAR && step <= FAR &&

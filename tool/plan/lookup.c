@@ -48,6 +48,13 @@ const loop_span *span_of(const loop_facts *facts, const ir_node *loop) {
     return NULL;
 }
 
+bool has_hull(const loop_facts *facts, const ir_node *loop) {
+    for (unsigned i = 0; i < facts->inspector.hull_count; i++)
+        if (facts->inspector.hulls[i] == loop)
+            return true;
+    return false;
+}
+
 const ir_node *body_increment(const loop_facts *facts) {
     const counted_loop *counted = &facts->counted;
     return counted->steps_inside || !ir_contains(counted->body, counted->increment)

@@ -21,6 +21,8 @@ bool has_series(const loop_facts *facts);
 unsigned series_of(const loop_facts *facts, unsigned number);
 /** The inner loop, if the slice logs its rows as one span; or NULL. */
 const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
+/** Do the inner loop's first and last iterations have the extreme addresses of its updates? */
+bool has_hull(const loop_facts *facts, const ir_node *loop);
 /** The increment at the end of a while or do loop's body, which the executor makes itself: copies
  *  of the body omit it. NULL: none. */
 const ir_node *body_increment(const loop_facts *facts);

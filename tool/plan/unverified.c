@@ -79,8 +79,9 @@ bool may_hold_address(const ir_type *type) {
     return !type || type->kind == IR_POINTER || type->kind == IR_ARRAY || type->kind == IR_RECORD;
 }
 
-/** May a read of this type in a called function read an unverified source? Each read of the callee
- *  that may overlap an update is a source of the caller, whose type is known. */
+/** May a read of this type in a called function read an unverified source? The caller's sources
+ *  include all reads of the callee that may overlap an update. With is_typed their types are
+ *  compared; without, any may. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);

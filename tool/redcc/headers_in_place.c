@@ -46,7 +46,8 @@ static bool is_once(arena *a, const ir_directive *directive) {
            strncmp(rest, "once", 4) == 0;
 }
 
-/* Headers named by "x.h" are searched in the folder of the file that names them. */
+/* Does the directive mean the same in the including file? A compiler looks for "x.h" first in the
+ * folder of the file that names it; `is_beside`: both files are in one folder. */
 static bool directive_fits(arena *a, const ir_directive *directive, bool is_beside) {
     const char *rest = "";
     const char *word = directive_word(a, directive->text, &rest);

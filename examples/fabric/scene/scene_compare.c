@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The first key in which two scenes differ. */
+/* The first key in which two scenes differ, other than files and time.steps. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -253,7 +253,7 @@ REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *valu
         it->worker->call->calls->fill(is, values, bytes);
 }
 
-/** A scratch row of neutral elements, valid until redcc_rows_end. */
+/** A scratch row of neutral elements. Later rows may share its memory, unless it is kept. */
 REDCC_INLINE void *redcc_neutral_row(redcc_body *it, redcc_u32 array, redcc_size bytes) {
     char *values;
     if (__builtin_expect(it->used + bytes > REDCC_ROWS_BYTES, 0))

@@ -75,6 +75,53 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
+/** The addresses from the lowest to the highest that loops over rows touch. Empty: both 0. */
+typedef struct redcc_hull {
+    const char *first, *end;
+} redcc_hull;
+
+/** Is all that an iteration touches compared with one range, or logged in a dry run, whose guard
+ *  compares ranges? Then the hull suffices. */
+#define REDCC_BY_HULL(redcc_i)                                                                     \
+    (redcc__worker && !redcc__source_mask && !redcc__worker->window[redcc_i].map &&                \
+     (redcc__probe || redcc__worker->alike < 0))
+/** The step of a loop whose first and last rows have the extreme addresses. */
+#define REDCC_NEXT_ROW(redcc_counter, redcc_last)                                                  \
+    redcc_counter = redcc__by_hull && redcc_counter != (__typeof__(redcc_counter))(redcc_last)     \
+                        ? (__typeof__(redcc_counter))(redcc_last)                                  \
+                        : (__typeof__(redcc_counter))(redcc_counter + 1)
+/** As REDCC_TOUCH_SPAN, in such a loop. */
+#define REDCC_TOUCH_PART(redcc_i, redcc_at, redcc_end)                                             \
+    if (redcc__by_hull)                                                                            \
+        redcc_hull_add(&redcc__hull_##redcc_i, redcc__probe, &redcc__worker->window[redcc_i],      \
+                       redcc_at, redcc_end);                                                       \
+    else                                                                                           \
+        redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
+/** Behind the outermost of such loops. */
+#define REDCC_TOUCH_HULL(redcc_i)                                                                  \
+    if (redcc__hull_##redcc_i.end)                                                                 \
+        redcc_slice_touch_hull(redcc__probe, redcc__worker, redcc_i, &redcc__hull_##redcc_i);
+
+REDCC_INLINE void redcc_hull_add(redcc_hull *hull, redcc_probe *probe, const redcc_owner *window,
+                                 const char *first, const char *end) {
+    if (probe)
+        redcc_probe_first(probe, window, first);
+    hull->first = hull->end && hull->first < first ? hull->first : first;
+    hull->end = hull->end > end ? hull->end : end;
+}
+REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                         const redcc_hull *hull) {
+    const redcc_owner *window = &worker->window[array];
+    const redcc_size bytes = (redcc_size)(hull->end - hull->first);
+    if (!probe) {
+        redcc_touch_span(worker, array, hull->first, hull->end);
+        return;
+    }
+    probe->inside |=
+        !probe->selects || redcc_intersects(window->first, window->size, hull->first, bytes);
+    probe->outside |= redcc_leaves(window->first, window->size, hull->first, bytes);
+}
+
 /* Handles a touch outside of the owned range, or of an owner with a map. The common case is
  * inlined. */
 static __attribute__((__noinline__, __unused__)) void

@@ -2,7 +2,7 @@
 /**
  * The size of rounds: as large as memory permits, since a round loads each line of the updated
  * arrays from memory and stores it once. The records of all threads may take 0.6 of the bytes of
- * the arrays plus 64 MiB; if the loop must be one round, plus 512 MiB.
+ * the arrays plus 64 MiB, or plus 512 MiB if the loop must be one round.
  */
 #include "bins/binning.h"
 

@@ -2,8 +2,10 @@
 #include "execute/select.h"
 
 #include <assert.h>
+#include <stdint.h>
 
-enum { SKIPPED = -1, PLAIN = 0, CHECKED = 1 };
+enum { WORD = 64 }; /* bits */
+_Static_assert(REDCC_SELECTED == WORD * REDCC_SELECTED_WORDS, "a bit for each iteration");
 
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
     assert(trip >= 0);
@@ -35,52 +37,101 @@ bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
     return true;
 }
 
-static int part_of(const struct selection *selection, redcc_int iteration, bool hooked) {
-    const unsigned class = selection->class[iteration] & ~(unsigned)REDCC_CLASS_LEADS;
-    switch (class) {
-    case REDCC_CLASS_OWN:
-        return hooked ? CHECKED : PLAIN;
-    case REDCC_CLASS_OWN | REDCC_CLASS_OTHERS:
-        return CHECKED;
-    default:
-        return SKIPPED;
+/* Eight classes, the first one in the lowest byte. Compilers make it one load. */
+static uint64_t load_eight(const unsigned char *class) {
+    return (uint64_t) class[0] | (uint64_t) class[1] << 8 | (uint64_t) class[2] << 16 |
+           (uint64_t) class[3] << 24 | (uint64_t) class[4] << 32 | (uint64_t) class[5] << 40 |
+           (uint64_t) class[6] << 48 | (uint64_t) class[7] << 56;
+}
+
+/* Gathers the lowest bits of eight bytes. The product's highest byte is the sum of eight copies,
+ * each shifted so that one of the bits gets to its place. */
+static uint64_t gather_lowest(uint64_t eight) {
+    return (eight & 0x0101010101010101u) * 0x0102040810204080u >> 56;
+}
+
+/* The bits of the iterations from `begin` to before `end`, of the word that begins with iteration
+ * `first`. */
+static uint64_t bits_between(redcc_int begin, redcc_int end, redcc_int first) {
+    const redcc_int low = begin > first ? begin - first : 0, high = end - first;
+    if (low >= WORD || high <= low)
+        return 0;
+    return (high >= WORD ? UINT64_MAX : ((uint64_t)1 << high) - 1) & UINT64_MAX << low;
+}
+
+/* Stores the classes as bits. An iteration that touches nothing is executed by one thread only. */
+static void set_bits(struct selection *selection, const redcc_worker *worker) {
+    for (redcc_int w = 0; w < REDCC_SELECTED_WORDS; w++) {
+        const redcc_int first = worker->first + w * WORD;
+        const uint64_t asked = bits_between(worker->first, worker->last, first);
+        uint64_t own = 0, others = 0, leads = 0;
+        for (redcc_int k = 0; k < WORD; k += 8) {
+            const uint64_t eight = load_eight(&selection->class[w * WORD + k]);
+            own |= gather_lowest(eight / REDCC_CLASS_OWN) << k;
+            others |= gather_lowest(eight / REDCC_CLASS_OTHERS) << k;
+            leads |= gather_lowest(eight / REDCC_CLASS_LEADS) << k;
+        }
+        own &= asked;
+        const uint64_t idle = asked & ~(own | others) &
+                              bits_between(selection->idle_begin, selection->idle_end, first);
+        selection->bits[w] = (struct class_bits){own | idle, own & others, own & ~leads};
     }
 }
 
-/* Does another thread store the operands that the iteration adds to series? No for an iteration
- * that touches nothing, which only one thread executes. */
-static bool follows(const struct selection *selection, redcc_int iteration) {
-    const unsigned class = selection->class[iteration];
-    return class != 0 && !(class & REDCC_CLASS_LEADS);
+/* The number of iterations from a word's bit on, to the first bit that is set in `ends` or to the
+ * word's end. */
+static redcc_int length_until(uint64_t ends, unsigned bit) {
+    const redcc_int left = (redcc_int)(WORD - bit);
+    const redcc_int length = ends >> bit ? __builtin_ctzll(ends >> bit) : left;
+    return length < left ? length : left;
 }
 
+/* All bits if `is_set`. */
+static uint64_t all_if(bool is_set) {
+    return is_set ? UINT64_MAX : 0;
+}
+
+/* The classes may be in random order: so this branches for each run, not for each iteration. */
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations) {
     const redcc_int count = worker->last - worker->first;
     size_t runs = 0;
-    int last = SKIPPED;
+    bool is_open = false;
     assert(0 < count && count <= REDCC_SELECTED);
-    if (selection->asked)
+    if (selection->asked) {
         selection->taken = 0;
+        set_bits(selection, worker);
+    }
     selection->asked = false;
     *iterations = 0;
-    for (; selection->taken < count; selection->taken++) {
-        const redcc_int i = selection->taken;
-        int part = part_of(selection, i, hooked);
-        if (selection->class[i] == 0 && worker->first + i >= selection->idle_begin &&
-            worker->first + i < selection->idle_end)
-            part = hooked ? CHECKED : PLAIN;
-        if (part != SKIPPED && runs > 0 && selection->follows != follows(selection, i))
+    while (selection->taken < count) {
+        const redcc_int first = selection->taken;
+        const struct class_bits *bits = &selection->bits[first / WORD];
+        const unsigned bit = (unsigned)(first % WORD);
+        const uint64_t shared = hooked ? 0 : bits->shared;
+        if (!(bits->executed >> bit & 1)) {
+            selection->taken += length_until(bits->executed, bit);
+            is_open = false;
+            continue;
+        }
+        const bool follows = bits->follows >> bit & 1, is_shared = shared >> bit & 1;
+        if (runs > 0 && follows != selection->follows)
             break;
-        if (part != SKIPPED)
-            selection->follows = follows(selection, i);
-        if (part != SKIPPED && part == last)
-            to[runs - 1].count_and_check += 2;
-        else if (part != SKIPPED)
-            to[runs++] = (redcc_iterations){(redcc_u32)i, 2 + (redcc_u32)part};
-        *iterations += part != SKIPPED;
-        last = part;
+        selection->follows = follows;
+        const redcc_int length = length_until(~bits->executed | (shared ^ all_if(is_shared)) |
+                                                  (bits->follows ^ all_if(follows)),
+                                              bit);
+        const redcc_u32 check = hooked || is_shared;
+        if (is_open && (to[runs - 1].count_and_check & 1) == check)
+            to[runs - 1].count_and_check += 2 * (redcc_u32)length;
+        else
+            to[runs++] = (redcc_iterations){(redcc_u32)first, 2 * (redcc_u32)length + check};
+        is_open = true;
+        selection->taken += length;
+        *iterations += length;
     }
+    if (selection->taken > count)
+        selection->taken = count;
     selection->executed += *iterations;
     return runs;
 }

@@ -12,6 +12,16 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+
+/** 64 iterations, one bit each. */
+struct class_bits {
+    uint64_t executed; /* by this thread */
+    uint64_t shared;   /* another thread owns rows of it, too */
+    uint64_t follows;  /* another thread stores the operands that it adds to series */
+};
+
+enum { REDCC_SELECTED_WORDS = REDCC_SELECTED / 64 };
 
 /** One thread's selection. */
 struct selection {
@@ -25,6 +35,7 @@ struct selection {
     redcc_int taken; /* number of classified iterations already handed out or skipped */
     bool follows;    /* the flag of the last runs handed out (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
+    struct class_bits bits[REDCC_SELECTED_WORDS]; /* the classes, once they are evaluated */
 };
 
 /** Begins a selection; selection->window must be set. */

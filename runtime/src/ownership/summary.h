@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The access summary: the iterations that one thread inspected, in order, as spans of consecutive
- * iterations that touch the same set of owners. Methods need no other information about a loop.
+ * iterations that touch the same set of owners. Most methods plan by it alone; plan/method.h has
+ * the rest (struct evidence).
  */
 #ifndef REDCC_SUMMARY_H
 #define REDCC_SUMMARY_H

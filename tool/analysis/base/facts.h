@@ -170,7 +170,8 @@ typedef struct element_bounds {
     bool is_certain; /* each iteration reads all elements between the bounds */
 } element_bounds;
 
-/** A read that may overlap a reduction array, or that determines its subscripts. */
+/** A read that is compared with what the loop writes, or that determines subscripts; or an
+ *  accumulator in memory (is_scalar) or an own element, which are compared, too. */
 typedef struct loop_source {
     const char *name;    /* "x", "s->x" */
     const ir_node *base; /* loop-invariant: the pointer or array that the address moves with; NULL:
@@ -404,6 +405,9 @@ typedef struct loop_inspector {
                   * which computes each iteration once, can execute the loop */
     unsigned span_count;
     const loop_span *spans;
+    unsigned hull_count;
+    const ir_node *const *hulls; /* loops whose first and last iterations have the extreme addresses
+                                  * of their updates (loop/hulls.h) */
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
     const ir_node *const *key;
 } loop_inspector;

@@ -11,13 +11,12 @@ static int64_t if_short(int64_t steps) {
     return steps <= MOST_FLAT ? steps : 0;
 }
 
-/* Either values of this type never wrap around, or they do as addresses do. */
-static bool is_steady(const ir_type *type) {
+bool row_index_is_steady(const ir_type *type) {
     return type && type->kind == IR_INTEGER && (ir_type_never_wraps(type) || type->size == 8);
 }
 
-static bool keeps_steps(const ir_type *from, const ir_type *to) {
-    return from && from->kind == IR_INTEGER && is_steady(to) &&
+bool row_index_keeps_steps(const ir_type *from, const ir_type *to) {
+    return from && from->kind == IR_INTEGER && row_index_is_steady(to) &&
            (from->size < to->size ||
             (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
@@ -27,10 +26,10 @@ static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
     if (index->kind == IR_VARIABLE)
         return index->variable == counter && counter->type->size >= 4;
     if (index->kind == IR_CAST)
-        return keeps_steps(index->children[0]->type, index->type)
+        return row_index_keeps_steps(index->children[0]->type, index->type)
                    ? steps_with(index->children[0], counter)
                    : 0;
-    if (index->kind != IR_BINARY || !is_steady(index->type))
+    if (index->kind != IR_BINARY || !row_index_is_steady(index->type))
         return 0;
     const ir_node *left = index->children[0], *right = index->children[1];
     int64_t factor;

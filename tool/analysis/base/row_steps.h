@@ -12,6 +12,12 @@ int64_t row_stride(const ir_node *row, const ir_variable *counter);
 /** Is the row independent of the counter, or is row_stride positive? */
 bool row_steps_with(const ir_node *row, const ir_variable *counter);
 
+/** Is it an integer type whose values never wrap around, or do as addresses do? */
+bool row_index_is_steady(const ir_type *type);
+
+/** Does converting an integer to this steady type preserve the distance between two values? */
+bool row_index_keeps_steps(const ir_type *from, const ir_type *to);
+
 /** Does the loop access elements at constant distances, so that the first and the last determine
  * the range? */
 bool source_loop_is_span(const source_loop *loop, const ir_node *row);

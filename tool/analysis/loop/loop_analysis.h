@@ -53,7 +53,6 @@ typedef struct loop_array {
     reduction_array array;
     location where; /* of its first update */
     const ir_node *first;
-    bool is_irregular;
 } loop_array;
 
 typedef VECTOR(loop_array) array_list;
@@ -125,7 +124,7 @@ bool has_address_as_value(const ir_node *node, const ir_node *base);
 /** Does the loop's text declare the variable? */
 bool analysis_declares(const loop_analysis *j, const ir_variable *variable);
 
-/** The entry of a variable, other than the counter, that the header sets; NULL: it does not. */
+/** The loop_start of a variable other than the counter; NULL: the loop's header does not set it. */
 const loop_start *analysis_start_of(const loop_analysis *j, const ir_variable *variable);
 /** Is it declared in the header, with a type with which a copy can be declared elsewhere? */
 bool analysis_header_declares(const loop_analysis *j, const ir_variable *variable);

@@ -7,7 +7,8 @@
  *   that the program would not do. It also has this type before the loop begins: no store of the
  *   loop lies between, so other iterations cannot read it as another type (C17 6.5p7). Or each
  *   iteration stores to it, before it reads it: then nothing is read at the beginning, and types
- *   distinguish only declared objects (6.5p6);
+ *   distinguish only declared objects (6.5p6), also from sums and other own elements, which are
+ *   stored late, too;
  * - all other memory that the loop reads is disjoint from it, by proof or by a comparison before
  *   anything is written, and all else that it writes is an update, with which all reads are
  *   compared. So no iteration sees that the store is made later;
@@ -16,6 +17,7 @@
 #include "analysis/loop/own.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/loop/type_changes.h"
 
 enum { MOST_OWN = 16 };
 
@@ -149,6 +151,13 @@ static bool is_other_part(const loop_analysis *j, const loop_access *other,
            !expression_same(lvalue, element) && expression_same(row_of(lvalue), row_of(element));
 }
 
+/* The same as access_reads_first, also for elements that own_take lists only later. */
+static bool reads_first(const loop_analysis *j, const loop_access *other) {
+    return own_is_element(j, other->access.lvalue) && is_of(other, other->access.lvalue)
+               ? first_use_of(j, other->access.lvalue) == FIRST_READ
+               : access_reads_first(j, other);
+}
+
 /* The overlap of the other access with the elements of other iterations. */
 static overlap overlap_between(const loop_analysis *j, const loop_access *other,
                                const ir_node *element, const location *where, first_use first) {
@@ -156,9 +165,9 @@ static overlap overlap_between(const loop_analysis *j, const loop_access *other,
         return other->access.kind == ACCESS_READ ? OVERLAP_MAYBE : OVERLAP_SAME;
     if (is_other_part(j, other, element))
         return OVERLAP_NO;
-    return other->access.kind == ACCESS_READ && first == FIRST_STORED
-               ? locations_overlap_store(&j->an->rules, &other->where, where)
-               : locations_overlap(&j->an->rules, &other->where, where);
+    return first == FIRST_READ && reads_first(j, other)
+               ? locations_overlap(&j->an->rules, &other->where, where)
+               : locations_overlap_store(&j->an->rules, &other->where, where);
 }
 
 static bool may_be_own(const loop_analysis *j, const ir_node *element, own_element *item) {
@@ -247,7 +256,7 @@ bool own_check(loop_analysis *j) {
                 (other->access.lvalue && is_other_part(j, other, j->own.items[i].element)))
                 continue;
             if (!other->access.lvalue ||
-                locations_overlap(&j->an->rules, &other->where, &where) != OVERLAP_NO)
+                locations_overlap_store(&j->an->rules, &other->where, &where) != OVERLAP_NO)
                 return analysis_refuse(j, REASON_OTHER_STORE, j->own.items[i].element,
                                        analysis_name(j, j->own.items[i].element));
         }

@@ -19,11 +19,13 @@ typedef struct alias_rules {
                            * iterations */
 } alias_rules;
 
+/** By their types, too: for a load that is only moved to an earlier place, and for accesses that
+ *  both read first (type_changes.h). */
 overlap locations_overlap(const alias_rules *rules, const location *a, const location *b);
 
-/** The same for a read and a store that another iteration makes, perhaps after it. The store gives
- *  memory without a declared type the type of the stored value (C17 6.5p6); earlier reads of it may
- *  have used another type. Only declared objects are distinguished by their types. */
+/** The same for an access and a store that another iteration makes, perhaps after it. The store
+ * gives memory without a declared type the type of the stored value (C17 6.5p6); earlier accesses
+ * may have used another type. Only declared objects are distinguished by their types. */
 overlap locations_overlap_store(const alias_rules *rules, const location *read,
                                 const location *store);
 

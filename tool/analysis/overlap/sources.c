@@ -3,6 +3,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/own.h"
+#include "analysis/loop/type_changes.h"
 #include "analysis/overlap/extent.h"
 #include "analysis/reduction/update_array.h"
 
@@ -22,39 +23,6 @@ static bool is_unreachable(const loop_analysis *j, const location *where) {
     return is_inside || !variable_escapes(j->an->facts, object);
 }
 
-/* Is the lvalue read whenever the expression is evaluated? */
-static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
-    if (expression_same(expression, lvalue))
-        return true;
-    const bool is_partly = expression->kind == IR_CONDITIONAL ||
-                           (expression->kind == IR_BINARY &&
-                            (expression->op == IR_OP_AND || expression->op == IR_OP_OR));
-    if (expression->kind == IR_SIZEOF || expression->kind == IR_OPAQUE)
-        return false;
-    for (unsigned i = 0; i < (is_partly ? 1 : expression->child_count); i++)
-        if (is_read_by(lvalue, expression->children[i]))
-            return true;
-    return false;
-}
-
-/* Does the update read the element, with its own type, before it writes it? Then the element has
- * that type already, and no earlier read used another. */
-static bool reads_first(const loop_analysis *j, const access *update) {
-    const update_form *form = &update->form;
-    if (update->kind == ACCESS_UPDATE && form->has_operator)
-        return true;
-    if (update->callee)
-        return false;
-    if (update->kind == ACCESS_UPDATE && form->value && is_read_by(form->target, form->value))
-        return true;
-    for (unsigned i = 0; i < j->updates.count; i++) {
-        const ir_node *statement = j->updates.items[i].statement;
-        if (statement->kind == IR_IF && ir_contains(statement, update->node))
-            return is_read_by(update->lvalue, statement->children[0]);
-    }
-    return false;
-}
-
 /* The worst overlap of the read with any update of the array, whose updates may be of different
  * fields.
  */
@@ -64,9 +32,7 @@ static overlap overlap_with_array(const loop_analysis *j, const loop_access *rea
         const loop_access *update = &j->accesses[i];
         if (update->class != CLASS_REDUCTION || update->array != array)
             continue;
-        overlap meets = reads_first(j, &update->access)
-                            ? locations_overlap(&j->an->rules, &read->where, &update->where)
-                            : locations_overlap_store(&j->an->rules, &read->where, &update->where);
+        const overlap meets = accesses_overlap(j, read, update);
         if (meets > worst)
             worst = meets;
     }
@@ -124,8 +90,7 @@ static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *o
     for (unsigned i = 0; i < j->access_count; i++) {
         if (!j->accesses[i].is_scalar || other == &j->accesses[i])
             continue;
-        const overlap meets =
-            locations_overlap(&j->an->rules, &other->where, &j->accesses[i].where);
+        const overlap meets = accesses_overlap(j, other, &j->accesses[i]);
         worst = meets > worst ? meets : worst;
     }
     return worst;
@@ -152,7 +117,7 @@ static bool check_scalars_in_memory(loop_analysis *j) {
             const bool is_own = other->access.lvalue && own_named(j, other->access.lvalue) >= 0;
             if (other->access.kind != ACCESS_READ && other->class != CLASS_REDUCTION &&
                 !other->is_scalar && !is_own && /* its first read is compared */
-                locations_overlap(&j->an->rules, &other->where, &scalar->where) != OVERLAP_NO)
+                accesses_overlap(j, other, scalar) != OVERLAP_NO)
                 return refuse_scalar(j, scalar);
         }
     }

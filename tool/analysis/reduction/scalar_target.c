@@ -2,12 +2,14 @@
 /*
  * Updates of a scalar (scalars.h) are made after the loop, so nothing else in the loop may read
  * or write it. For members, elements and targets of pointers, this is proved or compared at run
- * time. The proof may use types: an iteration that updates the object finds it with its type
- * (C17 6.5p7), and stores of another type count as disjoint.
+ * time. An iteration that updates the object finds it with its type, so what reads its own memory
+ * first is disjoint if it has another type (C17 6.5p7). A plain store of another type may follow
+ * the last update (6.5p6).
  */
 #include "analysis/reduction/scalar_target.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/loop/type_changes.h"
 
 static bool is_steady_pointer(const loop_analysis *j, const ir_node *node) {
     return analysis_is_unchanged(j, node) && node->type->kind == IR_POINTER;
@@ -64,7 +66,9 @@ overlap scalar_target_overlap(const loop_analysis *j, const ir_node *target) {
         if (is_named && (expression_same(a->access.lvalue, target) ||
                          are_other_elements(a->access.lvalue, target)))
             continue;
-        const overlap meets = locations_overlap(&j->an->rules, &a->where, &where);
+        const overlap meets = access_reads_first(j, a)
+                                  ? locations_overlap(&j->an->rules, &a->where, &where)
+                                  : locations_overlap_store(&j->an->rules, &a->where, &where);
         worst = meets > worst ? meets : worst;
     }
     return worst;

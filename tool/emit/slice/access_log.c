@@ -252,7 +252,8 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
     if (logged_is_update(item))
         log_leader(self, item->row);
     if (logged_is_update(item))
-        writer_line(out, "REDCC_TOUCH_SPAN(%u, redcc__begin_%u, %s);", number, row,
+        writer_line(out, "%s(%u, redcc__begin_%u, %s);",
+                    self->hulls ? "REDCC_TOUCH_PART" : "REDCC_TOUCH_SPAN", number, row,
                     macro_argument(a, end));
     else
         writer_line(out, "REDCC_READ(%u, redcc__begin_%u, %s);", number, row,

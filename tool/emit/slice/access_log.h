@@ -31,6 +31,7 @@ typedef struct inspector {
     const ir_node *span;  /* the span whose first or last row is being spelled; NULL: none */
     const ir_node *place; /* the place of that row's access */
     bool is_at_last;      /* the last row is being spelled, not the first */
+    const ir_node *hulls; /* the outermost loop whose hulls are being logged; NULL: none */
     row_list recent;      /* the rows logged by the last statements of the text */
     size_t recent_end;    /* where they end in the text; statements follow if the text is longer */
 } inspector;

@@ -14,6 +14,7 @@
 #include "emit/base/own.h"
 #include "emit/base/step.h"
 #include "emit/slice/access_log.h"
+#include "emit/slice/hull.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
@@ -49,6 +50,12 @@ static void write_exit(inspector *self, const loop_exit *exit) {
 static bool before_statement(printer *p, const ir_node *statement) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
+    if (begins_hulls(self, statement)) {
+        begin_hulls(self, statement);
+        print_statement(p, statement);
+        end_hulls(self);
+        return true;
+    }
     for (unsigned i = 0; i < facts->source_count; i++) {
         const int number = self->loop->plan->source_number[i];
         if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_LOGGED &&
@@ -252,6 +259,10 @@ static void log_at_once(printer *p, const ir_node *loop) {
     step_past_end(self, span);
 }
 
+static const char *step_of(printer *p, const ir_node *loop) {
+    return hull_step((inspector *)p, loop);
+}
+
 /** Records an obstacle if an access of the loop is not logged. */
 static void check_all_logged(inspector *self) {
     const loop_facts *facts = self->loop->facts;
@@ -329,6 +340,7 @@ void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
                                   .before = before_statement,
                                   .is_at_once = is_at_once,
                                   .print_at_once = log_at_once,
+                                  .step_of = step_of,
                                   .at_end = write_gathers_at_end},
                       .loop = loop,
                       .update_logged = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),

@@ -190,9 +190,10 @@ static void print_for(printer *p, const ir_node *node) {
         p->print_at_once(p, node);
         close_block(p, "}");
     } else {
+        const char *step = p->step_of ? p->step_of(p, node) : NULL;
         writer_line(p->out, "%sfor (%s; %s; %s) {",
                     p->in_front_of_for ? p->in_front_of_for(node) : "", first, condition,
-                    header_expression(p, ir_child(node, 2)));
+                    step ? step : header_expression(p, ir_child(node, 2)));
         print_part(p, ir_child(node, 3));
         writer_line(p->out, "}");
     }

@@ -22,6 +22,8 @@ struct printer {
     void (*print_at_once)(printer *p, const ir_node *loop);
     /** The text before a `for`, with a blank after it; may be NULL. */
     const char *(*in_front_of_for)(const ir_node *loop);
+    /** The step expression of a `for` that replaces its own; NULL: its own. May be NULL. */
+    const char *(*step_of)(printer *p, const ir_node *loop);
     void (*at_end)(printer *p); /* before print_body closes the block; may be NULL */
     const char *problem;        /* the first part that cannot be printed, or NULL */
     bool continues;             /* a `continue` of the outermost loop was printed */

@@ -269,8 +269,6 @@ static private_result conclude(const run *r, const state *end) {
         byte_set whole = byte_set_new(r->prover->scratch, r->size);
         byte_set_add_value(whole, r->object->type, 0);
         result.assigned_at_end = byte_set_includes(end->written, whole);
-        result.assigned_same_bytes =
-            result.assigned_at_end || byte_set_includes(end->written, r->touched);
     }
     return result;
 }

@@ -36,9 +36,6 @@ typedef struct private_result {
     /** Every byte (except padding) is definitely assigned when an iteration ends: the copy of the
      *  last iteration has the value that the sequential loop leaves. */
     bool assigned_at_end;
-    /** Weaker: each iteration writes the same bytes. The others keep their values from before the
-     *  loop, so a last value must be merged into a copy of those. */
-    bool assigned_same_bytes;
 } private_result;
 
 /**

@@ -210,10 +210,8 @@ const call_summary *summarise_call(must_write *prover, const ir_function *functi
         prover->summaries[function->id % SUMMARY_LISTS] = summary;
         if (obstacle != NULL)
             return summary;
-        summary->is_running = true;
         summary->unknown = "it is passed to a function that calls itself";
         interpret_callee(prover, summary, depth);
-        summary->is_running = false;
     }
     return summary;
 }

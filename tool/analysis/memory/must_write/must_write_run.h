@@ -17,7 +17,6 @@ typedef struct call_summary {
     bool is_open;
     unsigned argument_count;
     const value *arguments;
-    bool is_running;     /* in progress: another use of it is recursion */
     const char *unknown; /* why nothing is known; NULL: the other fields are valid */
     byte_set read;       /* bytes that may be read before the call itself has written them */
     byte_set touched;    /* bytes that may be written */

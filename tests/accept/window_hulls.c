@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// CFLAGS: -Wno-sign-compare
+// INTEGERS: no
+// Windows whose first and last rows have the extreme addresses of all updates, and windows that are nearly so.
+#include "case.h"
+
+#include <math.h>
+
+enum { N = 1500, SIDE = 40, REACH = 3, DEEP = 12 };
+static float x[N], y[N], z[N], value[N], grid[SIDE * SIDE], weight[SIDE * SIDE];
+static double plane[SIDE][SIDE], box[DEEP * DEEP * DEEP], rows[SIDE * SIDE];
+static int row_of[SIDE], width_of[SIDE], first_of[N], wide;
+typedef struct cell {
+    float sum[2];
+    int count;
+} cell;
+static cell cells[SIDE * SIDE];
+
+static void spread(int n, const float *px, const float *py, const float *v, float *g) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int cx = (int)px[t], cy = (int)py[t];
+        for (int i = cy - REACH; i <= cy + REACH; i++) { // HULL
+            const float dy = py[t] - (float)i;
+            for (int j = cx - REACH; j <= cx + REACH; j++) {
+                const float dx = px[t] - (float)j;
+                g[i * SIDE + j] += v[t] / (1 + dx * dx + dy * dy);
+            }
+        }
+    }
+}
+
+/* Two arrays; iterations have leaders, since sqrtf may set errno; the rows' distance is a variable. */
+static void two_arrays(int n, int pitch, const float *px, const float *py, float *g, float *w) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)px[t] - 1, top = (int)py[t] - 2;
+        for (int i = top; i < top + 5; i++) // HULL
+            for (int j = left; j < left + 3; j++) {
+                const float d = sqrtf(((float)j - px[t]) * ((float)j - px[t]) + (float)(i - top));
+                g[i * pitch + j] += d * value[t];
+                w[i * pitch + j] += d;
+            }
+    }
+}
+
+/* Rows of a two-dimensional array, from the last one backwards. */
+static void backwards(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t], top = (int)y[t];
+        for (int i = 0; i < 4; i++) // HULL
+            for (int j = left; j < left + 4; j++)
+                plane[top + 3 - i][j] += (double)value[t] * (i + 1);
+    }
+}
+
+/* Three nested loops, a number of the row in a variable, counters as wide as addresses. */
+static void in_space(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const size_t a = (size_t)(x[t] / 4), b = (size_t)(y[t] / 4), c = (size_t)(z[t] / 4);
+        for (size_t i = a; i < a + 3; i++) // HULL
+            for (size_t j = b; j < b + 3; j++) { // HULL
+                const size_t row = (i * DEEP + j) * DEEP;
+                for (size_t k = c; k < c + 3; k++)
+                    box[row + k] += (double)value[t];
+            }
+    }
+}
+
+/* A pointer to the row; a field of a record. */
+static void by_pointer(int n, cell *all) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t], top = (int)y[t];
+        for (int i = top; i <= top + 2; ++i) { // HULL
+            cell *const row = all + i * SIDE;
+            for (int j = left; j <= left + 2; ++j)
+                row[j].sum[1] += value[t];
+        }
+    }
+}
+
+/* No row, or one. */
+static void few_rows(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = first_of[t] % SIDE, count = first_of[t] % 3;
+        for (int i = 1; i < 1 + count; i++) // HULL
+            for (int j = left; j < SIDE; j++)
+                rows[i * SIDE * 7 + j] += (double)value[t];
+    }
+}
+
+/* ---- the first and last rows are not the extreme ones ---- */
+
+static void circle(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int cx = (int)x[t], cy = (int)y[t];
+        for (int i = cy - REACH; i <= cy + REACH; i++)
+            for (int j = cx - width_of[i - cy + REACH]; j <= cx + width_of[i - cy + REACH]; j++)
+                rows[j * SIDE + i] += (double)value[t];
+    }
+}
+
+static void by_table(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t] / 4;
+        for (int i = 0; i < 6; i++)
+            for (int j = left; j < left + 4; j++)
+                rows[row_of[i] * SIDE + j] += (double)value[t];
+    }
+}
+
+static void squares(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t] / 4;
+        for (int i = -5; i <= 2; i++)
+            for (int j = left; j < left + 4; j++)
+                rows[i * i * SIDE + j] += (double)value[t];
+    }
+}
+
+static void remainders(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const unsigned left = (unsigned)x[t] / 4, top = (unsigned)y[t];
+        for (unsigned i = top; i < top + 5u; i++)
+            for (unsigned j = left; j < left + 4; j++)
+                rows[(i % 16u) * SIDE + j] += (double)value[t];
+    }
+}
+
+/* The address of a row that is left out may be any. */
+static void some_rows(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t] / 4;
+        for (size_t i = 0; i < 9; i++)
+            if (i >= 4 && i <= 5)
+                for (int j = left; j < left + 4; j++)
+                    rows[(i - 4) * (size_t)wide * SIDE + (size_t)j] += (double)value[t];
+    }
+}
+
+static void narrow_counter(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = (int)x[t] / 4;
+        for (int i = 250; i < 260; i++)
+            for (int j = left; j < left + 4; j++)
+                rows[(unsigned char)i % 30 * SIDE + j] += (double)value[t];
+    }
+}
+
+int main(void) {
+    for (int t = 0; t < N; t++) {
+        x[t] = 3 + (float)case_below((SIDE - 8) * 8) / 8;
+        y[t] = 3 + (float)case_below((SIDE - 8) * 8) / 8;
+        z[t] = 3 + (float)case_below((SIDE - 8) * 8) / 8;
+        value[t] = (float)case_value();
+        first_of[t] = case_below(SIDE);
+    }
+    for (int i = 0; i < SIDE; i++) {
+        row_of[i] = case_below(SIDE);
+        width_of[i] = i < 2 * REACH + 1 ? REACH - abs(i - REACH) : 0;
+    }
+    wide = 3;
+    for (int repeat = 0; repeat < 3; repeat++) {
+        spread(N, x, y, value, grid);
+        two_arrays(N, SIDE, x, y, grid, weight);
+        backwards(N);
+        in_space(N);
+        by_pointer(N, cells);
+        few_rows(N);
+        circle(N);
+        by_table(N);
+        squares(N);
+        remainders(N);
+        some_rows(N);
+        narrow_counter(N);
+    }
+    CASE_PRINT(grid);
+    CASE_PRINT(weight);
+    CASE_PRINT(plane);
+    CASE_PRINT(box);
+    CASE_PRINT(rows);
+    CASE_PRINT(cells);
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/slice/hull.h"
+
+#include <assert.h>
+
+#include "analysis/base/stepped.h"
+#include "emit/text/origin.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+
+bool begins_hulls(const inspector *self, const ir_node *loop) {
+    return !self->hulls && has_hull(self->loop->facts, loop) && self->loop->facts->slice.has_rows;
+}
+
+/** Does the outermost loop update the array? */
+static bool updates_array(const inspector *self, unsigned array) {
+    const loop_facts *facts = self->loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (facts->updates[i].array == array &&
+            ir_contains(self->hulls, facts->updates[i].statement))
+            return true;
+    return false;
+}
+
+void begin_hulls(inspector *self, const ir_node *loop) {
+    writer *out = self->printer.out;
+    const char *all = NULL;
+    assert(!self->hulls);
+    self->hulls = loop;
+    for (unsigned i = 0; i < self->loop->facts->array_count; i++)
+        if (updates_array(self, i))
+            all = all ? arena_format(self->printer.arena, "%s && REDCC_BY_HULL(%u)", all, i)
+                      : arena_format(self->printer.arena, "REDCC_BY_HULL(%u)", i);
+    writer_line(out, "{");
+    out->depth++;
+    writer_line(out, "const int redcc__by_hull = %s;", all);
+    for (unsigned i = 0; i < self->loop->facts->array_count; i++)
+        if (updates_array(self, i))
+            writer_line(out, "redcc_hull redcc__hull_%u = {0, 0};", i);
+}
+
+void end_hulls(inspector *self) {
+    writer *out = self->printer.out;
+    for (unsigned i = 0; i < self->loop->facts->array_count; i++)
+        if (updates_array(self, i))
+            writer_line(out, "REDCC_TOUCH_HULL(%u)", i);
+    out->depth--;
+    writer_line(out, "}");
+    self->hulls = NULL;
+}
+
+const char *hull_step(inspector *self, const ir_node *loop) {
+    loop_span span;
+    if (!self->hulls || !has_hull(self->loop->facts, loop) ||
+        !span_recognise((ir_node *)loop, &span))
+        return NULL;
+    return arena_format(self->printer.arena, "REDCC_NEXT_ROW(%s, %s%s)",
+                        origin_variable(self->printer.arena, span.counted.counter),
+                        log_row_text(self, span.counted.bound),
+                        span.counted.comparison == IR_OP_LESS ? " - 1" : "");
+}
