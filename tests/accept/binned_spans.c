@@ -11,11 +11,11 @@
 enum { N = 4000, D = 10, CENTRES = 14, ROWS = 600 };
 static float points[N][D + 1], centres[CENTRES][D], sums[CENTRES][D];
 static float *point[N], *centre[CENTRES], *sum[CENTRES], *same[CENTRES + 64];
-static double far[ROWS * 3 + D], *row[ROWS], w[N], wide[ROWS][D + 2], *apart[ROWS];
+static double far[ROWS * 3 + D], *row[ROWS], w[N], wide[ROWS][D + 2], *apart[ROWS], drawn[N], whole[ROWS][D + 2];
 static struct sphere {
     double mass, spin[2];
 } ball[ROWS][D + 2], *balls[ROWS];
-static int member[N], count[CENTRES], key[N], length[N];
+static int member[N], count[CENTRES], key[N], length[N], pairs[N][4];
 
 static float distance(const float *a, const float *b, int n) {
     float all = 0;
@@ -118,6 +118,21 @@ static void after(int n, int d, float **p, float **from, float **to, int *member
     }
 }
 
+/* One thread executes each inner iteration, because of errno: rows of records have no spans then. */
+static void led(int n, const int *many, const int *k, const int (*list)[4], const double *x, double *to, double (*rows)[D + 2]) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        for (int i = 0; i < many[t] % 4; i++) {
+            const int j = list[t][i];
+            const double d = 1 / (1 + fabs(x[t] - x[j]));
+            const double e = floor(exp(d) + exp(d * d) + exp(d * 3) + d * d * d);
+            to[j] += e;
+        }
+        const int width = many[t];
+        for (int j = 0; j < width; j++)
+            rows[k[t]][j] += x[j];
+    }
+} // BINNED: 123
+
 int main(void) {
     for (int t = 0; t < N; t++) {
         point[t] = points[t];
@@ -126,6 +141,8 @@ int main(void) {
         w[t] = case_value();
         key[t] = case_below(ROWS);
         length[t] = case_below(D + 2);
+        for (int i = 0; i < 4; i++)
+            pairs[t][i] = (t * 7 + i * 31) % N;
         member[t] = -1;
     }
     points[77][3] = NAN;
@@ -147,6 +164,9 @@ int main(void) {
         bounds(N);
         conditions(N, D);
         records(N, D);
+        led(N, length, key, pairs, w, drawn, whole);
+        CASE_PRINT(drawn);
+        CASE_PRINT(whole);
         CASE_PRINT(ball);
         CASE_PRINT(sums);
         CASE_PRINT(count);

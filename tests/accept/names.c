@@ -109,8 +109,39 @@ static void types(int n) {
     }
 }
 
+/* Members that are named as members of the same name would be numbered. */
+struct alike {
+    double *f, *f_1;
+};
+static void alike(struct alike *p, struct alike *q, struct alike *r, int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        p->f[s[t]] += w[t];
+        q->f[s[t]] -= w[t];
+        r->f_1[s[t]] += w[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        r->f_1[s[t]] += w[t];
+        p->f[s[t]] += w[t];
+        q->f[s[t]] -= w[t];
+    }
+}
+
+/* Parameters that are constant themselves. */
+typedef double *const restrict target;
+typedef double (*const rows)[2];
+static void constants(const int n, const int *const k, const double *const restrict x,
+                      const double (*const y)[2], target to, rows pairs, const rows *const all) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        to[k[t]] += x[t] * y[t / 2][t % 2];
+        pairs[k[t] / 2][k[t] % 2] -= (*all)[1][0];
+    }
+}
+
 int main(void) {
     static grid g;
+    static double pairs[M / 2][2], of_f[2][M];
+    struct alike p = {of_f[0], NULL}, q = {of_f[1], NULL}, r = {NULL, b};
+    const rows all = (double(*)[2])g.in[1].h;
     g.b = b;
     g.in[0].s = g.in[1].s = s;
     case_values(w, N);
@@ -124,6 +155,10 @@ int main(void) {
         layout(N);
         functions(N);
         types(N);
+        constants(N, s, w, (const double(*)[2])w, h, pairs, &all);
+        CASE_PRINT(pairs);
+        alike(&p, &q, &r, N);
+        CASE_PRINT(of_f);
         CASE_PRINT(h);
         CASE_PRINT(b);
         case_print("in", g.in[0].h, sizeof g.in[0].h);

@@ -3,6 +3,10 @@
 /* The decision is on the line of the loop. */
 /* clang-format off */
 
+#include <math.h>
+
+enum { DOWN = -5 };
+
 struct vector {
     double x, y, z;
 };
@@ -56,6 +60,93 @@ void repeated(int n, const int *restrict s, const double *w, double *h) {
         while (d > 1)
             d -= 1;
         h[s[t]] += d;
+    }
+}
+
+/* A counter that may never reach the bound: it has not all values of the bound's type, or is
+ * compared as another type. */
+void never_reached(int n, long m, unsigned u, unsigned long lu, double x, const int *restrict s,
+                   const double *w, double *h) {
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < m; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < u; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        long sum = 0;
+        if (w[t] > 0)
+            for (long j = 0; j < lu; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 9; j > u; j--)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (unsigned j = 0; j < DOWN; j += 7)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared before
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < x; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+}
+
+void always_reached(int n, short m, unsigned u, unsigned char c, const int *restrict s,
+                    const double *w, double *h) {
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        int sum = 0;
+        if (w[t] > 0)
+            for (int j = 0; j < m + c; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (long j = 0; j < u; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (unsigned j = 0; j < n; j++)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (int j = 900; j > c; j--)
+                sum ^= j;
+        h[s[t]] += sum;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: compared after
+        long sum = 0;
+        if (w[t] > 0)
+            for (int j = 900; j >= DOWN; j -= 3)
+                sum ^= j;
+        h[s[t]] += sum;
     }
 }
 
@@ -159,6 +250,22 @@ void rows(int n, int m, const int *restrict s, double **restrict row, double *co
         const double scale = w[t];
         for (int j = 0; j < m; j++)
             row[s[t]][j] += scale * x[t][j];
+    }
+}
+
+/* One thread must execute each inner iteration that others may skip, because of errno: no span. */
+void led(int n, const int *restrict c, const int *restrict s, const int (*restrict list)[8],
+         const double *restrict x, double *restrict w, double (*restrict h)[4]) {
+    for (int t = 0; t < n; t++) { // PLAN: skip: 1 rows; bins: 2 records of 2 values, 2 tags in 2 streams
+        for (int k = 0; k < c[t]; k++) {
+            const int j = list[t][k];
+            const double d = x[t] - x[j];
+            const double e = exp(d) + exp(d * d) + exp(d * 3) + d * d * d;
+            w[j] += e;
+        }
+        const int width = c[t];
+        for (int j = 0; j < width; j++)
+            h[s[t]][j] += x[j];
     }
 }
 

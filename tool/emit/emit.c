@@ -31,16 +31,16 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where,
         has_lanes ? "#ifdef REDCC_RUNTIME_H\n#include <redcc/lanes.h>\n#endif\n" : "";
     return arena_format(
         a,
-        REDCC_BEGINNING "REDCC_REQUIRE_VERSION(1);\n"
-                        "%s"
-                        "#endif\n"
-                        "#endif\n"
-                        "#ifndef REDCC_RUNTIME_H\n"
-                        "#define REDCC_OVER(redcc_site)\n"
-                        "%s"
-                        "#endif\n"
-                        "%s%s"
-                        "#line 1 %s\n",
+        REDCC_BEGINNING REDCC_REQUIREMENT "1);\n"
+                                          "%s"
+                                          "#endif\n"
+                                          "#endif\n"
+                                          "#ifndef REDCC_RUNTIME_H\n"
+                                          "#define REDCC_OVER(redcc_site)\n"
+                                          "%s"
+                                          "#endif\n"
+                                          "%s%s"
+                                          "#line 1 %s\n",
         options->linked ? "static const redcc_linkage *redcc__linked(void);\n" : "",
         where == CONTRACTION_OFF_IN_LOOPS ? "#define REDCC_UNFUSED\n" : "",
         where == CONTRACTION_OFF_IN_FILE ? contraction_directives(a, unit, has_lanes) : "", vectors,

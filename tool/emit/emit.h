@@ -16,6 +16,8 @@
     "#if !defined(REDCC_OFF) && defined(__has_include)\n"                                          \
     "#if __has_include(<redcc/runtime.h>)\n"                                                       \
     "#include <redcc/runtime.h>\n"
+/** The beginning of the line after them. */
+#define REDCC_REQUIREMENT "REDCC_REQUIRE_VERSION("
 
 /** A piece of text of a written loop. It replaces the loop or a part of it, or is inserted
  * before or into the loop's function. */

@@ -54,10 +54,11 @@ struct compiler_facts {
     map *parsers_own; /* then: names of clang's macros that the compiler does not define */
 };
 
-/** Facts found in the program's own headers. */
+/** Facts found in the program's headers. */
 struct header_facts {
     VECTOR(const char *) pragmas;
     VECTOR(ir_inclusion) inclusions;
+    VECTOR(const char *) runtime_names; /* also of the main file and of options */
 };
 
 typedef struct converter {
@@ -164,6 +165,8 @@ void find_pragma_macros(converter *c);
 void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word and unseen_word, names_optimize, names_target, names_counter. */
 void find_compiler_words(converter *c);
+/** Sets the unit's runtime_names. */
+void find_runtime_names(converter *c);
 
 /** Is the function's body in one of the program's own headers, used, and may it have a loop? */
 bool is_wanted_of_header(converter *c, CXCursor definition);

@@ -222,6 +222,7 @@ static void convert_unit(converter *c) {
     note_macros_of_directives(c);
     mark_skipped_directives(c);
     find_compiler_words(c);
+    find_runtime_names(c);
     find_own_inclusion(c);
     find_header_pragmas(c);
     find_pragma_macros(c);

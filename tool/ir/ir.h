@@ -362,6 +362,8 @@ typedef struct ir_text {
     bool names_target;         /* the same for the attributes target and target_clones */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
+    unsigned runtime_name_count; /* names in texts and options that begin as the runtime's */
+    const char **runtime_names;
     unsigned header_pragma_count; /* of the program's own headers, as text */
     const char **header_pragmas;
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, if all its

@@ -63,20 +63,35 @@ static bool is_steady(const loop_facts *facts, const ir_node *node) {
     }
 }
 
+/** Does the counter have each value with which the comparison compares it? Other integers could lie
+ *  beyond all its values, or a negative counter would be compared as a large number. */
+static bool has_values_of(const ir_type *counter, const ir_type *bound) {
+    return ir_type_is_plain_integer(bound) &&
+           (bound->size < counter->size ||
+            (bound->size == counter->size && (bound->is_signed || !counter->is_signed)));
+}
+
+/** Is it a constant so near to 0 that no step leads from before it beyond the counter's limits? */
+static bool is_near(const ir_node *bound, int64_t step, const ir_type *counter) {
+    enum { FAR = (1 << 30) - 1 };
+    return bound->flags & IR_HAS_VALUE && bound->value <= FAR && step >= -FAR && step <= FAR &&
+           bound->value >= (counter->is_signed ? -FAR : 0);
+}
+
 /** Does `counter <op> bound` become false before a step overflows? */
-static bool is_reached(ir_operator op, const ir_node *bound, int64_t step, const ir_type *type) {
-    enum { FAR = 1 << 30 };
-    const bool is_near = bound->flags & IR_HAS_VALUE && bound->value >= -FAR &&
-                         bound->value <= FAR && step >= -FAR && step <= FAR;
+static bool is_reached(ir_operator op, const ir_node *bound, int64_t step, const ir_type *counter) {
+    if (!has_values_of(counter, bound->type))
+        return false;
+    const bool near = is_near(bound, step, counter);
     switch (op) {
     case IR_OP_LESS:
-        return step == 1 || (step > 0 && is_near);
+        return step == 1 || (step > 0 && near);
     case IR_OP_LESS_EQUAL:
-        return step > 0 && is_near;
+        return step > 0 && near;
     case IR_OP_GREATER:
-        return type->is_signed && (step == -1 || (step < 0 && is_near));
+        return counter->is_signed && (step == -1 || (step < 0 && near));
     case IR_OP_GREATER_EQUAL:
-        return type->is_signed && step < 0 && is_near;
+        return counter->is_signed && step < 0 && near;
     default:
         return false;
     }

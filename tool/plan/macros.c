@@ -87,16 +87,14 @@ const char *macro_name_in_head(const ir_unit *unit) {
     return NULL;
 }
 
-/** Does a variable of the program have this name, or a function that it defines? */
+/** Does a variable or function of the program have this name? */
 static bool is_own(const ir_unit *unit, const char *name) {
     for (unsigned i = 0; i < unit->variable_count; i++)
         if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
             return true;
-    for (unsigned i = 0; i < unit->function_count; i++) {
-        const ir_function *function = unit->functions[i];
-        if ((function->body || function->linkage.is_static) && strcmp(function->name, name) == 0)
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (strcmp(unit->functions[i]->name, name) == 0)
             return true;
-    }
     return false;
 }
 
@@ -104,22 +102,36 @@ static const void *meaning_of(const map *names, const char *name) {
     return names ? map_get(names, name, strlen(name)) : NULL;
 }
 
-/** Does the program, or one of its headers, declare this name of the runtime, or (`is_searched`)
- * does its text contain the name? */
-static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
-    return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
-           is_own(unit, name) ||
-           (is_searched && source_has_name(unit->source->text, unit->source->length, name));
+/** Does the program, or one of its headers, declare this name of the runtime? */
+static bool is_declared(const ir_unit *unit, const char *name) {
+    return meaning_of(unit->text.names, name) || meaning_of(unit->text.inner_names, name) ||
+           meaning_of(unit->text.macros, name) || is_own(unit, name);
+}
+
+/** The macros that the runtime's headers define (CMakeLists.txt). */
+static const char *const macros_of_header[] = {
+#include "header_macros.inc"
+};
+
+/** Is the name one of the macros, or the beginning of one, to which a macro of the program may
+ *  paste the rest? */
+static bool may_be_macro(const char *name) {
+    for (size_t i = 0; i < sizeof macros_of_header / sizeof *macros_of_header; i++)
+        if (source_starts_with(macros_of_header[i], name))
+            return true;
+    return false;
 }
 
 const char *taken_name(const ir_unit *unit) {
-    const bool is_searched = strstr(unit->source->text, "redcc_") != NULL;
     for (size_t i = 0; i < sizeof words_of_header / sizeof *words_of_header; i++) {
         const char *word = words_of_header[i];
         if ((source_starts_with(word, "redcc_") || source_starts_with(word, "REDCC_")) &&
-            is_taken_from_runtime(unit, word, is_searched))
+            is_declared(unit, word))
             return word;
     }
+    for (unsigned i = 0; i < unit->text.runtime_name_count; i++)
+        if (may_be_macro(unit->text.runtime_names[i]))
+            return unit->text.runtime_names[i];
     return NULL;
 }
 

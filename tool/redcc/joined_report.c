@@ -58,6 +58,8 @@ static void add_results(joined_report *joined, json_t *results) {
 
 static void add_log(joined_report *joined, FILE *printed) {
     json_t *log = json_loadf(printed, 0, NULL);
+    if (!log) /* the process has failed */
+        return;
     if (!joined->log) {
         joined->log = log;
         joined->known = json_object();

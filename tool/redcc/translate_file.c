@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* memmem */
 #include "redcc/translate_file.h"
 
 #include <stdio.h>
@@ -20,6 +19,7 @@
 #include "redcc/output.h"
 #include "redcc/records.h"
 #include "redcc/self_check.h"
+#include "redcc/translated.h"
 #include "redcc/verify.h"
 
 static file_outcome fail(const char *path, const char *message) {
@@ -421,14 +421,6 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Did redcc write this text? Then it contains the lines with which each written file begins. Other
- * tools may have put text before them. */
-static bool is_translated(const source *file) {
-    static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
-    return !is_binary(file) &&
-           memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
-}
-
 static file_outcome leave_translated(arena *a, const options *o, const source *file) {
     fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
     const ir_unit unit = {.arena = a, .source = file};
@@ -454,7 +446,7 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
     const source *file = read_input(a, path, &wrong);
     if (!file)
         return fail(NULL, wrong);
-    if (is_translated(file))
+    if (!is_binary(file) && is_translated(file))
         return leave_translated(a, o, file);
     string_list flags = {0};
     wrong = parser_flags(a, o, path, &flags);

@@ -19,7 +19,6 @@ typedef struct array_text {
                         * another that replaces the user's bytes. `base` and `local` are NULL for
                         * an array whose elements are scattered */
     const char *declarator; /* `local` as a declarator */
-    const char *owner;      /* redcc__own_ and the array's name */
     bool is_shadowed;
 } array_text;
 

@@ -15,19 +15,24 @@ static const char *short_name(const ir_node *base) {
     return "array";
 }
 
+static bool is_one_of(const char *const *names, unsigned count, const char *name) {
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(names[i], name) == 0)
+            return true;
+    return false;
+}
+
 static void name_arrays(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     array_text *arrays = ARENA_ARRAY(loop->arena, array_text, facts->array_count);
+    const char **names = ARENA_ARRAY(loop->arena, const char *, facts->array_count + 1);
     for (unsigned i = 0; i < facts->array_count; i++) {
         const ir_node *base = facts->arrays[i].base;
         const char *name = short_name(base);
-        for (unsigned other = 0; other < i; other++)
-            if (strcmp(short_name(facts->arrays[other].base), name) == 0) {
-                name = arena_format(loop->arena, "%s_%u", name, i);
-                break;
-            }
+        while (is_one_of(names, i, name))
+            name = arena_format(loop->arena, "%s_%u", name, i);
+        names[i] = name;
         array_text *text = &arrays[i];
-        text->owner = arena_format(loop->arena, "redcc__own_%s", name);
         if (facts->arrays[i].is_scattered)
             continue; /* the array needs no name: the body reaches its elements through pointers */
         text->base = loop_operand(loop, base);
@@ -59,7 +64,7 @@ void set_names(loop_text *loop) {
 
 /** The type's spelling for a parameter or variable of a generated function. `restrict` becomes
  *  __restrict__, which compilers know in every C standard; at the end, where it qualifies the
- *  parameter itself, it is dropped. */
+ *  parameter itself, it is dropped, with the blank in front of it. */
 static const char *spelling_of(arena *a, const ir_type *type) {
     static const char word[] = "restrict";
     enum { LENGTH = sizeof word - 1 };
@@ -73,6 +78,8 @@ static const char *spelling_of(arena *a, const ir_type *type) {
             buffer_byte(&out, *at);
         at += is_word ? LENGTH : 1;
     }
+    while (out.length > 0 && out.data[out.length - 1] == ' ')
+        buffer_shorten(&out, 1);
     return buffer_take(a, &out);
 }
 
@@ -93,6 +100,20 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return "int";
 }
 
+/** The spelling of a constant pointer to an array or function, `double (*const)[3]`, without its
+ * own `const`. It is the last one in the innermost parentheses. */
+static const char *without_const_inside(arena *a, const char *spelling) {
+    static const char word[] = "const";
+    const char *const close = strchr(spelling, ')'), *own = NULL, *at = close;
+    while (at && at > spelling && *at != '(' && *at != '*') {
+        at--;
+        own = source_starts_with(at, word) ? at : own;
+    }
+    if (!own || *at != '*')
+        return spelling;
+    return arena_format(a, "%.*s%s", (int)(own - spelling), spelling, own + sizeof word - 1);
+}
+
 /** The type's spelling without its own `const`, so that objects of it can be assigned. */
 static const char *unqualified(arena *a, const ir_type *type) {
     static const char before[] = "const ", after[] = "const";
@@ -105,7 +126,7 @@ static const char *unqualified(arena *a, const ir_type *type) {
     if (type->kind == IR_POINTER && length > sizeof after &&
         strcmp(spelling + length - (sizeof after - 1), after) == 0)
         return arena_copy(a, spelling, length - (sizeof after - 1));
-    return spelling;
+    return type->kind == IR_POINTER ? without_const_inside(a, spelling) : spelling;
 }
 
 const char *assignable_declaration_text(loop_text *loop, const ir_type *type, const char *name) {
@@ -150,7 +171,7 @@ const char *outlined_name(loop_text *loop, const char *part) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     const char *name =
         arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name, place.line);
-    return is_behind_another(loop) ? arena_format(loop->arena, "%s_%u", name, place.column) : name;
+    return is_behind_another(loop) ? arena_format(loop->arena, "%s_c%u", name, place.column) : name;
 }
 
 const char *private_declaration(loop_text *loop, const private_variable *item) {

@@ -220,6 +220,7 @@ const char *text_expression(arena *a, const ir_node *expression, ir_c_rename ren
     marking m = {a, rename, context};
     if (ir_c_expression_spelled(&out, expression, marked_name, marked_type, &m))
         text = buffer_take(a, &out);
+    buffer_free(&out);
     return text;
 }
 
