@@ -2,7 +2,7 @@
 /**
  * An `omp for` loop, which all threads of a team reach, executed without its directive. The threads
  * form a crew: the first one executes the loop, and the others wait and help to execute its
- * parallel regions.
+ * parallel regions. No parenthesis follows a member's name: a macro of the program may have it.
  */
 #ifndef REDCC_CREW_H
 #define REDCC_CREW_H
@@ -11,7 +11,7 @@
 #define REDCC_ARRIVE(redcc_site)                                                                   \
     do {                                                                                           \
         if (redcc_run && redcc_is_known(&(redcc_site)))                                            \
-            redcc_calls_of(&(redcc_site))->before->crew->arrive();                                 \
+            (*redcc_calls_of(&(redcc_site))->before->crew->arrive)();                              \
     } while (0)
 
 /** Makes a crew of the team; called by one thread for all. 0: the team must execute the loop as it
@@ -19,20 +19,20 @@
  * arrived. */
 #define REDCC_CREW_BEGINS(redcc_site, redcc_locks)                                                 \
     (redcc_run && redcc_is_known(&(redcc_site))                                                    \
-         ? redcc_calls_of(&(redcc_site))                                                           \
-               ->before->crew->begin(&(redcc_site).binned.loop, redcc_locks)                       \
+         ? (*redcc_calls_of(&(redcc_site))->before->crew->begin)(&(redcc_site).binned.loop,        \
+                                                                 redcc_locks)                      \
          : 0)
 
 /** 1, after the loop, for a thread that has helped the first one; 0 for the first one, before the
  * loop. */
 #define REDCC_HAS_HELPED(redcc_site)                                                               \
-    (redcc__crew && redcc_calls_of(&(redcc_site))->before->crew->help(redcc__crew))
+    (redcc__crew && (*redcc_calls_of(&(redcc_site))->before->crew->help)(redcc__crew))
 
 /** Called by the first thread after the loop: ends the crew. */
 #define REDCC_CREW_ENDS(redcc_site)                                                                \
     do {                                                                                           \
         if (redcc__crew)                                                                           \
-            redcc_calls_of(&(redcc_site))->before->crew->end(redcc__crew);                         \
+            (*redcc_calls_of(&(redcc_site))->before->crew->end)(redcc__crew);                      \
     } while (0)
 
 #endif
