@@ -77,11 +77,7 @@ static int never(int n, int m) {
             seen = w[i * MANY + j];
             sum += seen;
         }
-#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
-    return sum == 0.25 && seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6);
-#else
-    return sum == 0.25;
-#endif
+    return sum == 0.25 && (getenv("CASE_INTEGERS") || (seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6))); /* OpenMP leaves them open */
 }
 
 /* three loops; long iterations; a triangle, and headers that a macro makes: of these only the outer loop is divided */

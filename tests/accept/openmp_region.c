@@ -132,11 +132,7 @@ static int never(int n) {
 #pragma omp single
         sum *= 2;
     }
-#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
-    return sum == 0.5 && last == 5 && i == n;
-#else
-    return sum == 0.5;
-#endif
+    return sum == 0.5 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* OpenMP leaves them open */
 }
 
 /* numbers of all sizes */

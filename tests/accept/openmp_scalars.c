@@ -183,11 +183,7 @@ static int never(int n) {
         last = w[i];
         sum += last;
     }
-#if defined(REDCC_RUNTIME_H) || !defined(_OPENMP)
-    return sum == 0.25 && last == 5 && i == n;
-#else
-    return sum == 0.25;
-#endif
+    return sum == 0.25 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* OpenMP leaves them open */
 }
 
 /* under conditions, by an operator, in a branch; iterations with loops */

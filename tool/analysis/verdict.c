@@ -14,8 +14,8 @@
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
 #include "analysis/loop/gate.h"
-#include "analysis/loop/loads_stay.h"
 #include "analysis/loop/hulls.h"
+#include "analysis/loop/loads_stay.h"
 #include "analysis/loop/spans.h"
 #include "analysis/overlap/sources.h"
 #include "analysis/private/induction.h"
@@ -314,9 +314,9 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* If `found` is refused for a pointer that is read only under conditions, whose target must be known
- * when the loop begins, or behind which each iteration may have its own element: analyses the loop
- * with variables replacing its pointers. */
+/* If `found` is refused for a pointer that is read only under conditions, whose target must be
+ * known when the loop begins, or behind which each iteration may have its own element: analyses the
+ * loop with variables replacing its pointers. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     const reason_id why = found.why.id;

@@ -9,7 +9,7 @@
  * A thread that asks whether it owns all of the window, a part or nothing needs only the hull, the
  * range from the lowest address to the highest. An affine function of a counter has its extremes at
  * the first value and the last; one that is affine in each of several counters, at the corners. The
- * hull also contains addresses that are not updated: the thread may then check owners in vain.
+ * hull also contains addresses that are not updated: the thread may then check owners needlessly.
  */
 #ifndef ANALYSIS_HULLS_H
 #define ANALYSIS_HULLS_H
