@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Finds names in the text of the program and its headers that begin as the runtime's do. The output
  * includes the runtime's header, whose macros could change what conditions of the program mean, or
- * other text. Branches that are not compiled are searched, too, and strings: a pragma may be one.
+ * other text. Branches that are not compiled are searched, too, and the strings of _Pragma.
  */
 #include <string.h>
 
@@ -51,6 +51,18 @@ static void note_names(converter *c, const char *at, const char *end) {
     }
 }
 
+/* Is the string at `at` the operand of _Pragma? */
+static bool is_of_pragma(const char *begin, const char *at) {
+    static const char operator[] = "_Pragma";
+    const size_t length = sizeof operator- 1;
+    while (at > begin && (source_is_name_byte(at[-1]) || strchr(" \t\r\n(", at[-1]))) {
+        if ((size_t)(at - begin) >= length && memcmp(at - length, operator, length) == 0)
+            return true;
+        at--;
+    }
+    return false;
+}
+
 static void search(converter *c, file_text file) {
     if (file.length > 0 && splits_name(file))
         file = without_splices(c, file);
@@ -61,7 +73,8 @@ static void search(converter *c, file_text file) {
         const char *next = piece_end(at, end);
         const bool is_comment = *at == '/' && next - at > 1;
         if (is_comment || *at == '"' || *at == '\'') {
-            note_names(c, begin, is_comment ? at : next);
+            const bool is_searched = *at == '"' && is_of_pragma(file.text, at);
+            note_names(c, begin, is_searched ? next : at);
             begin = next;
         }
         at = next;

@@ -95,12 +95,14 @@ static bool has_independent_header(const outer_loop *t, const ir_node *inner) {
     return true;
 }
 
-/* Does the slice have only declarations, spans and loops with hulls below the node? */
+/* Does the slice have only declarations below the node, and spans and loops with hulls whose ranges
+ * are the same in each iteration? */
 static bool has_only_spans(const outer_loop *t, const ir_node *node) {
     const bool holds = t->j->slice.holds[node->id];
     if (holds && node->kind == IR_FOR)
         return has_independent_header(t, node) &&
-               (span_at(t->spans, node) || is_hull(t->j, t->spans, node));
+               (span_at(t->spans, node) || is_hull(t->j, t->spans, node)) &&
+               has_only_spans(t, node->children[3]);
     const bool is_passed =
         node->kind == IR_BLOCK || node->kind == IR_DECLARATION || node->kind == IR_DECLARATOR;
     if ((holds && !is_passed) || ir_is_jump(node))
