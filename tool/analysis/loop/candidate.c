@@ -12,12 +12,14 @@
 #include "analysis/base/library.h"
 #include "support/vector.h"
 
+typedef VECTOR(const ir_variable *) dependent_list;
+
 typedef struct dependence {
     arena *memory;
     variable_facts *facts;
     effects *effects;
-    VECTOR(const ir_variable *) variables;
-    VECTOR(const ir_variable *) filled; /* by calls: what they contain or point to depends */
+    dependent_list variables;
+    dependent_list filled; /* by calls: what they contain or point to depends */
     bool has_changed;
     bool has_update; /* an update that depends on the counter */
 } dependence;
@@ -71,23 +73,16 @@ bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
     return true;
 }
 
-static bool is_dependent_variable(const dependence *d, const ir_variable *variable) {
-    for (unsigned i = 0; i < d->variables.count; i++)
-        if (d->variables.items[i] == variable)
-            return true;
-    return false;
-}
-
-static bool is_filled(const dependence *d, const ir_variable *variable) {
-    for (unsigned i = 0; i < d->filled.count; i++)
-        if (d->filled.items[i] == variable)
+static bool is_in(const dependent_list *list, const ir_variable *variable) {
+    for (unsigned i = 0; i < list->count; i++)
+        if (list->items[i] == variable)
             return true;
     return false;
 }
 
 static bool depends(const dependence *d, const ir_node *node) {
     if (node->kind == IR_VARIABLE &&
-        (is_dependent_variable(d, node->variable) || is_filled(d, node->variable)))
+        (is_in(&d->variables, node->variable) || is_in(&d->filled, node->variable)))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (depends(d, node->children[i]))
@@ -95,18 +90,15 @@ static bool depends(const dependence *d, const ir_node *node) {
     return false;
 }
 
-static void add(dependence *d, const ir_variable *variable) {
-    if (!variable || is_dependent_variable(d, variable))
+static void add_to(dependence *d, dependent_list *list, const ir_variable *variable) {
+    if (!variable || is_in(list, variable))
         return;
-    VECTOR_PUSH(d->memory, &d->variables, variable);
+    VECTOR_PUSH(d->memory, list, variable);
     d->has_changed = true;
 }
 
-static void add_filled(dependence *d, const ir_variable *variable) {
-    if (!variable || is_filled(d, variable))
-        return;
-    VECTOR_PUSH(d->memory, &d->filled, variable);
-    d->has_changed = true;
+static void add(dependence *d, const ir_variable *variable) {
+    add_to(d, &d->variables, variable);
 }
 
 static bool is_pointer(const ir_variable *variable) {
@@ -133,7 +125,7 @@ static bool is_address(const ir_node *argument) {
 static bool argument_depends(const dependence *d, const ir_node *argument) {
     switch (argument->kind) {
     case IR_VARIABLE:
-        return !ir_is_array(argument) && is_dependent_variable(d, argument->variable);
+        return !ir_is_array(argument) && is_in(&d->variables, argument->variable);
     case IR_INDEX:
         return argument_depends(d, argument->children[0]) || depends(d, argument->children[1]);
     case IR_MEMBER:
@@ -187,7 +179,7 @@ static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
     d->has_update |= (is_dependent || call_depends(d, call)) && call_updates(d, call);
     for (unsigned i = 1; i < call->child_count; i++)
         if (is_address(call->children[i]))
-            add_filled(d, ir_root_variable(call->children[i]));
+            add_to(d, &d->filled, ir_root_variable(call->children[i]));
 }
 
 /* The table w of *p, *p++, p[k] with p in w; NULL: another lvalue. */
