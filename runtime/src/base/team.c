@@ -372,8 +372,8 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region in which OpenMP's threads register as members. It has as many threads as the
- * process, but the usual number if these are above 256 or threads are limited. */
+/* Opens a region in which OpenMP's threads register as members. Its number of threads is
+ * that of the process; if that exceeds 256 or is limited, the usual number. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
@@ -403,8 +403,8 @@ static bool others_leave(void) {
 }
 
 /* Are all other threads of the process members? If some are unknown, waits for them to end, unless
- * as many remained after the last wait. registers: first opens a region, in which OpenMP's idle
- * threads register as members. */
+ * the same number remained after the last wait. registers: first opens a region, in which OpenMP's
+ * idle threads register as members. */
 static bool are_others_idle(bool registers) {
     const int others = count_unknown();
     if (others == 0 && atomic_load(&known) != 0)
@@ -429,7 +429,7 @@ bool redcc_team_has_met(void) {
     if (redcc_within || omp_get_level() > 1)
         return false;
     /* One thread keeps the order with the directives, too: nothing to wait for. OpenMP's other
-     * threads idle beside it, and this loop cannot meet them. */
+     * threads are idle then, and do not execute this loop. */
     if (omp_get_num_threads && omp_get_num_threads() == 1)
         return count_unknown() == 0;
     return are_others_idle(false);

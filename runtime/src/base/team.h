@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Preparation before threads are created for a region, and the work afterwards. Does nothing if the
- * calling thread's last region had at least as many: GCC's OpenMP and LLVM's keep their threads.
+ * calling thread's last region had no fewer threads: GCC's OpenMP and LLVM's keep their threads.
  */
 #ifndef REDCC_TEAM_H
 #define REDCC_TEAM_H

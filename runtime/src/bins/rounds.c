@@ -186,8 +186,8 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: as many as are done but, at the earlier loss
- * per iteration, no more than stay within the trial's limit. At least trip / TRIED. */
+/* The number of iterations of a trial's next round: the number done so far, or fewer, so that
+ * at the same loss per iteration the trial stays within its limit. At least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;

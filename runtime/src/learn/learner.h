@@ -65,7 +65,7 @@ struct situation {
     bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
-    bool begun;     /**< the call is the rest of the first execution, some iterations of which were
+    bool begun;     /**< the call is the rest of the first execution, whose first iterations were
                        timed in order: a strategy that pays in this call alone is not delayed */
     bool tiled;     /**< the inspection is short: a loop over pairs, or REDCC_BLOCKS */
     bool in_tiles;  /**< the loop may be cut into tiles, so that WAY_DIRECT needs no estimate */
