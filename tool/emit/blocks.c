@@ -22,8 +22,8 @@ static const fixed_blocks *blocks_of(const loop_text *loop) {
     return loop->facts->variables.blocks;
 }
 
-/** The scalar's name without a mark (origin.h), for directives: there the self-check's parser
- * reports no names that could be compared. */
+/** The scalar's name without a mark (origin.h), for directives. The self-check (self_check.h)
+ * cannot compare names in directives, because the parser does not report them. */
 static const char *name_of(const loop_text *loop, unsigned scalar) {
     return blocks_of(loop)->scalars[scalar].variable->name;
 }
@@ -73,7 +73,7 @@ static const char *combination(arena *a, const blocked_scalar *scalar, const cha
 
 /* ---- before the loop ------------------------------------------------------------------------- */
 
-/** The loop's description, from which the runtime takes only the order of results. */
+/** The loop's description; the runtime reads only the required order of results from it. */
 static void write_site(loop_text *loop, writer *out) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_line(out, "static redcc_site redcc__site = {");

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** `omp for`: all threads of the team reach the loop, one executes it without its directive, and
- *  the others work for it (redcc/crew.h). */
+/** Loops under `omp for`: all threads of the team reach the loop, one executes it without its
+ * directive, and the others help as workers (redcc/crew.h). */
 #ifndef EMIT_CREW_H
 #define EMIT_CREW_H
 
 #include "emit/base/loop.h"
 
-/** Is it such a loop? */
+/** Is the loop such a loop? */
 bool has_crew(const loop_text *loop);
 
 /** At the beginning of the loop's block: opens a block that only the first thread enters, while the
- * others help; all threads enter it if the loop is executed as it is written. */
+ * others help. If the loop is executed as written, all threads enter the block. */
 void write_meeting(loop_text *loop, writer *out);
 
 /** At the end of the loop's block: closes the block that write_meeting opened. */

@@ -102,7 +102,7 @@ static void add_extra(const extra_value *value, void *context) {
     buffer_format(&h->arguments, ", %s", value->name);
 }
 
-/** Keeps a generated text: the context passes the values whose names occur in it. */
+/** Adds the text to outline.text. The context passes each value that is named there. */
 static void remember_text(loop_text *loop, const char *text) {
     loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
@@ -228,7 +228,7 @@ static void declare_stand_ins(loop_text *loop, writer *out) {
     }
 }
 
-/** Lets the context pass the scalars of series, which each thread's last statements access. */
+/** Makes the context pass the scalars of series, which each thread's last statements access. */
 static void pass_series(loop_text *loop) {
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     head unused = {0};
@@ -240,7 +240,7 @@ static void pass_series(loop_text *loop) {
     buffer_free(&unused.arguments);
 }
 
-/** Sets parameters and arguments of the body, and returns its statements. */
+/** Sets parameters and arguments of the body in *h, and returns its statements. */
 static const char *write_iteration_for(loop_text *loop, head *h) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
@@ -312,7 +312,8 @@ static void write_body(loop_text *loop, writer *out) {
         write_lanes(loop, out);
 }
 
-/** Writes the function that each thread calls: it takes the context, inspects and executes. */
+/** Writes the function that each thread calls. It copies the context's values, inspects and
+ * executes. */
 static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "%sREDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {",
                 loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "member"));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The form for in-order binning, in the body and the description of a loop. */
+/** Writes the form for in-order binning (docs/methods.md): text for a loop's body and
+ * description. */
 #ifndef EMIT_BINS_BINS_H
 #define EMIT_BINS_BINS_H
 
@@ -23,8 +24,8 @@ void write_bins(loop_text *loop, writer *out);
 /** Writes the descriptions of the bins_stream_count streams. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
-/** Arguments of REDCC_PARALLEL_BINNED: the sources to log and whether updates are exact; the
- * streams. */
+/** Arguments of REDCC_PARALLEL_BINNED: bins_phase gives the sources to log and whether updates are
+ * exact; streams_argument gives the streams. */
 const char *bins_phase(loop_text *loop);
 const char *streams_argument(loop_text *loop);
 

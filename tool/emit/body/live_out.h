@@ -7,7 +7,7 @@
 
 /** Declares storage for the last values of variables that each iteration assigns. */
 void declare_live_outs(loop_text *loop, writer *out);
-/** In the last iteration: stores their values. */
+/** For the last iteration: writes stores of these values. */
 void note_live_outs(loop_text *loop, writer *out);
 /** After the loop: copies the values to the variables. */
 void take_live_outs(loop_text *loop, writer *out);
@@ -15,9 +15,10 @@ void take_live_outs(loop_text *loop, writer *out);
 /** For each variable that only some iterations assign: declares storage for the value that the
  * latest of these iterations assigned, and for that iteration's number. */
 void declare_conditional_live_outs(loop_text *loop, writer *out);
-/** After an assignment of private variable `number`: records value and iteration. */
+/** After an assignment of private variable `number`: writes code that records value and
+ * iteration. */
 void write_note(loop_text *loop, writer *out, unsigned number);
-/** At a thread's end: merges its values into the storage. */
+/** At a thread's end: writes code that merges its values into the storage. */
 void write_last_notes(loop_text *loop, writer *out);
 /** After the loop: copies the values to the variables. */
 void take_conditional_live_outs(loop_text *loop, writer *out);

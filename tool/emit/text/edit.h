@@ -20,7 +20,7 @@ typedef struct edit {
     uint32_t begin;
     uint32_t end;
     const char *text; /* not copied: must outlive the list */
-    unsigned serial;  /* when it was added */
+    unsigned serial;  /* number of edits added before it */
 } edit;
 
 typedef struct edit_list {
