@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. Each
- * update has one record, appended before the nest, with the operands of all iterations. Since
+ * Loops with constant bounds that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`.
+ * Each update has one record, appended before the nest, with the operands of all iterations. Since
  * updates are applied later, this is legal only if the operands read nothing that the nest changes,
  * and if no update reaches the same element in two iterations of the nest.
  */
@@ -15,7 +15,8 @@
 
 /* ---- the loops ----------------------------------------------------------------------------- */
 
-/** Is this `for (c = FIRST; c < BOUND; c++)` over a few constants, none negative? Sets *level. */
+/** Is this `for (c = FIRST; c < BOUND; c++)` with constant bounds, none negative, and few
+ * iterations? If so, sets *level. */
 static bool is_level(const ir_node *node, struct nest_level *level) {
     const ir_variable *counter;
     ir_variable *stepped;

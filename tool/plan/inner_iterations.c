@@ -18,8 +18,8 @@ enum {
 
 typedef struct inner_rest {
     const loop_facts *facts;
-    const ir_node *inner; /* the loop */
-    const ir_node *block; /* the loop's body */
+    const ir_node *inner; /* the inner loop */
+    const ir_node *block; /* the inner loop's body */
     unsigned rest;        /* index in `block` of the first statement that may be skipped; "the
                            * rest" is all from there on */
     unsigned row_count;
@@ -165,7 +165,7 @@ static bool may_be_left_out(inner_rest *t) {
     return work >= LEAST_WORK;
 }
 
-/* ---- when its rows are known ----------------------------------------------------------------- */
+/* ---- where the rows are known ---------------------------------------------------------------- */
 
 /** The number of places that give the variable a value. */
 static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
@@ -196,8 +196,9 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     return false;
 }
 
-/** Lets the rest begin after the last statement that sets the variable. False: the variable may
- * have no value there, or its address is taken, so that it may change before the row is updated. */
+/** Moves the beginning of the rest behind the last statement that sets the variable. False: the
+ * variable may have no value there, or its address is taken, so that it may change before the row
+ * is updated. */
 static bool begin_after_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -247,15 +248,16 @@ static const ir_node *first_value(const loop_span *span, const ir_variable *vari
     return NULL;
 }
 
-/** Lets the rest begin where the value is known. False: it is not known, or computing it reads
- * memory or may trap. */
+/** Moves the beginning of the rest to where the value is known. False: it is not known, or
+ * computing it reads memory or may trap. */
 static bool begin_after_value(inner_rest *t, const ir_node *value) {
     return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
            begin_after_variables(t, value);
 }
 
-/** Lets the rest begin where the variable has the value from which the nested loop steps it. False:
- *  it may have no value or change later, or the nested loop is no statement of the block itself. */
+/** Moves the beginning of the rest to where the variable has the value from which the nested loop
+ * steps it. False: it may have no value or change later, or the nested loop is not a statement of
+ * the block itself. */
 static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable), is_behind = false;
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -273,8 +275,8 @@ static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_var
     return is_set && is_behind && !variable->address_taken;
 }
 
-/** Lets the rest begin where all values are known that determine through which rows the nested loop
- *  steps. */
+/** Moves the beginning of the rest to where all values are known that determine through which rows
+ * the nested loop steps. */
 static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped) {
@@ -292,8 +294,8 @@ static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node
     return true;
 }
 
-/** Adds the update's row to those that are checked. False: there are too many rows, or this one
- *  cannot be computed before the rest. */
+/** Adds the update's row to the rows that are checked. False: there are too many rows, or this one
+ * cannot be computed before the rest. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)

@@ -29,7 +29,7 @@ enum { MOST_SKIP_ROWS = 8 };
 
 /** Rows that an inner iteration updates. */
 typedef struct skip_row {
-    const reduction_update *update; /* one that updates them */
+    const reduction_update *update; /* an update that changes them */
     const loop_span *span; /* the nested loop that steps through them; NULL: it is one row */
 } skip_row;
 
@@ -44,10 +44,10 @@ typedef struct inner_skip {
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
-/** Sets skips: an entry for each inner loop, with the reason if nothing is skipped. */
+/** Sets plan->skips: an entry for each inner loop, with the reason if nothing is skipped. */
 void plan_inner_skips(loop_plan *plan);
 
-/** Must one of the threads that execute an iteration execute all of it? */
+/** Must one of the threads that execute an iteration, its leader, execute all of it? */
 bool plan_has_leaders(const loop_plan *plan);
 
 /** The plan's entry for this inner loop; NULL: no part of it is skipped. */

@@ -49,7 +49,7 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
            lane_is_real(call->type) && call->child_count > 1;
 }
 
-/** Calls per iteration of functions whose bodies are not searched. */
+/** Calls per iteration, of functions whose bodies are not searched. */
 typedef struct calls {
     int64_t failing;     /* those that may set errno */
     int64_t by_lane;     /* those without a vector form */

@@ -119,7 +119,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
     return NULL;
 }
 
-/** Work that is executed lane by lane, in statements with updates. */
+/** Work of statements with updates, which is executed lane by lane. */
 typedef struct scalar_work {
     int64_t outside;    /* nodes outside of the updates themselves */
     int64_t operations; /* all operations of these statements, and calls made lane by lane */

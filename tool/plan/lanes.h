@@ -5,8 +5,8 @@
  *
  * A body is split into computations, which are executed for all lanes at once, and updates, which
  * are executed iteration by iteration after them. Why it is sound: no iteration reads what another
- * one updates, or the loop could not run in parallel. No statement after an update in the body
- * changes the update's operands. Each element gets its updates in the order of the loop.
+ * one updates; otherwise the loop could not run in parallel. No statement after an update in the
+ * body changes the update's operands. Each element gets its updates in the order of the loop.
  */
 #ifndef PLAN_LANES_H
 #define PLAN_LANES_H
@@ -52,7 +52,7 @@ void lane_check_operand(lane_scope *l, const ir_node *value);
 /** Are the iterations of an inner `for` the same for all lanes? */
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop);
 /** May the function, at this call depth, get a vector form? It must belong to this file, have fixed
- * parameters, and return nothing, or a real at its end. */
+ * parameters, and return nothing, or a double or float at its end. */
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth);
 /** The class of the parameter in a call with this argument. Records a problem if there is none. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);

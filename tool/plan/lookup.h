@@ -17,9 +17,9 @@ int own_element_at(const loop_facts *facts, const ir_node *node);
 int scalar_update_at(const loop_facts *facts, const ir_node *statement);
 /** Are there scalars with a series of operands per iteration? */
 bool has_series(const loop_facts *facts);
-/** The first update of the same scalar, whose number identifies the series. */
+/** The number of the first update of the same scalar; it identifies the series. */
 unsigned series_of(const loop_facts *facts, unsigned number);
-/** The inner loop, if the slice logs its rows as one span; or NULL. */
+/** The span of the inner loop, if the slice logs its rows as one range; NULL: it does not. */
 const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
 /** Do the inner loop's first and last iterations have the extreme addresses of its updates? */
 bool has_hull(const loop_facts *facts, const ir_node *loop);

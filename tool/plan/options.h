@@ -5,7 +5,8 @@
 
 #include <stdbool.h>
 
-/** How a result may differ from the sequential loop's (REDCC_ORDER_... of the runtime). */
+/** How results may differ from the sequential loop's: not at all; in rounding, but equal for all
+ * numbers of threads; in rounding from run to run (REDCC_ORDER_... of the runtime). */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
 /** Which loops shall execute several iterations at once, if possible. */

@@ -55,7 +55,7 @@ static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     return last;
 }
 
-/** The ends of tokens before `end`; directives and comments are none. */
+/** The ends of tokens before `end`; directives and comments do not count as tokens. */
 static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     unsigned next = 0, depth = 0;

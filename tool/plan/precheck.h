@@ -12,8 +12,8 @@
  * So, if the analysis cannot prove that k and h are disjoint, and unverified values would be
  * harmful (unverified.h), one thread first logs all iterations in order. It stops at the first
  * update of a range that the loop is known to read, or at the first read of an updated element. Up
- * to there each value is that of the sequential loop. Reads before the first iteration have no such
- * check; a loop that needs one is not transformed.
+ * to that point each value is that of the sequential loop. Reads before the first iteration have no
+ * such check; a loop that needs one is not transformed.
  *
  * If an iteration may leave the loop (loop_exits.h), the same run finds it: it ends at the first
  * iteration that does, and later ones are not inspected.

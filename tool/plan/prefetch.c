@@ -7,9 +7,9 @@
 #include "support/vector.h"
 
 enum {
-    /* Operations per iteration. With regular accesses, loops of 126 and 46 lost up to a half by
-     * prefetching, one of 167 gained that much (script/bench lanes, fabric's drag); with irregular
-     * ones all gained. */
+    /* Operations per iteration. Measured with regular accesses (script/bench lanes, fabric's drag):
+     * prefetching made loops of 126 and 46 operations up to half slower, and one of 167 faster by
+     * as much. With irregular accesses all loops gained. */
     LEAST_WORK = 12,
     /* Operations of the iterations between a prefetch and its access. */
     AWAITED = 4000,
@@ -62,7 +62,8 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** `visited`: functions, with call depth and the loop's variables that were their arguments. */
+/** The state of the search. `visited`: the functions entered, each with its call depth and the
+ * loop's variables that were its arguments. */
 typedef struct gather_search {
     arena *arena;
     map *visited;

@@ -75,7 +75,8 @@ static void visit_inner_loop(search *s, const ir_node *loop) {
     } else {
         visit(s, ir_child(loop, 0)); /* the condition, or the body of a do loop */
     }
-    s->may_have_left = may_have_left; /* jumps of an inner loop end there: others are refused */
+    s->may_have_left = may_have_left; /* jumps of an inner loop end there; loops with other jumps
+                                       * are refused */
 }
 
 /** Visits what computing an object's address reads: &e->rest[t] reads the pointer e->rest, and t,

@@ -49,11 +49,11 @@ enum { TILES_MOST_KEPT = 16 };
 /** A variable that is kept from tile to tile of a row. */
 typedef struct kept_value {
     const ir_variable *variable;
-    bool is_unset; /* it has no value before the loop over columns */
+    bool is_unset; /* the variable has no value before the loop over columns */
 } kept_value;
 
 typedef struct tile_plan {
-    const char *declined;         /* why there are no tiles; NULL: there are */
+    const char *declined;         /* the reason why there are no tiles; NULL: there are tiles */
     const ir_node *inner;         /* the loop over columns: the body, or a statement in it */
     const ir_variable *column;    /* its counter */
     const ir_node *lower, *bound; /* first value and bound in its header */
@@ -63,7 +63,7 @@ typedef struct tile_plan {
     kept_value kept[TILES_MOST_KEPT];
 } tile_plan;
 
-/** Sets tiles. */
+/** Sets plan->tiles. */
 void plan_tiles(loop_plan *plan);
 
 /** Is the statement before the loop over columns, so that only the first tile of a row executes its
