@@ -12,8 +12,8 @@
 struct cache {
     store kept;
     digest compiler;
-    digest program;       /* the translator without its libraries */
-    digest libraries_key; /* under which the list of its libraries is cached */
+    digest program;       /* contents of the translator's program, without its libraries */
+    digest libraries_key; /* the key under which the list of its libraries is cached */
     digest translator;
     word_list folders;
 };
@@ -42,7 +42,8 @@ bool answerers_options_are_plain(const word_list *options) {
 
 /* ---- the compiler ---------------------------------------------------------------------------- */
 
-/* Adds the programs that run when the compiler is called: launchers, and the compiler itself. */
+/* Adds the programs that run when the compiler is called: launchers (ccache), and the compiler
+ * itself. */
 static bool add_programs(session *s, const store *kept, digester *d) {
     const word_list *words = &s->real.words;
     unsigned i = 0;
@@ -55,8 +56,8 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* The compiler's output for these options, kept under `of_whom`, the compiler's identity: no source
- * may affect it. NULL: the compiler fails. */
+/* The compiler's output for these options. It is cached under `of_whom`, the compiler's identity,
+ * because no source can affect it. NULL: the compiler fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;
@@ -158,7 +159,8 @@ static bool know_translator(session *s, struct cache *c, const char *list, size_
     return is_known;
 }
 
-/* Has the translator list its libraries and folders for an empty source: once, then cached. */
+/* Has the translator list its libraries and folders for an empty source. This is done once; then
+ * the list is cached. */
 static const char *ask_translator(session *s, const struct cache *c, size_t *length) {
     arena *a = s->memory;
     store_part kept;

@@ -8,7 +8,7 @@
 #include "driver/closure.h"
 #include "driver/store.h"
 
-/** Whether $REDCC_OPTS contains only options that affect nothing but the translation. */
+/** Returns whether $REDCC_OPTS contains only options that affect nothing but the translation. */
 bool answerers_options_are_plain(const word_list *options);
 
 /** Identifies the programs, by the cache if possible; NULL if one is a script or cannot be

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The report of a build, $REDCC_BUILD_REPORT: one JSON object a line for each source that was
- * analysed or left alone. Several redcc-cc append to it at once.
+ * The report of a build, $REDCC_BUILD_REPORT: one JSON object per line for each source that was
+ * analysed or compiled unchanged. Several redcc-cc processes may append to it at once.
  */
 #ifndef DRIVER_BUILD_REPORT_H
 #define DRIVER_BUILD_REPORT_H

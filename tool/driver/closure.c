@@ -30,7 +30,7 @@ typedef struct search {
     arena *arena;
     word_list folders; /* the search folders that exist */
     closure found;
-    lookups *seen; /* what state depends on */
+    lookups *seen; /* what the digest `state` depends on */
     digester state;
     map *tried;       /* the paths already tried */
     word_list texts;  /* the texts of files */
@@ -113,8 +113,8 @@ static void add_file(search *s, const char *name, int file) {
     read_names(s, name, text, (size_t)about.st_size);
 }
 
-/* Gives up if a precompiled form of the header exists: the compiler would read that,
- * which is no C. */
+/* Gives up if a precompiled form of the header exists: the compiler would read that form, which is
+ * not C. */
 static void check_precompiled(search *s, const char *path, const char *ending) {
     const char *other = arena_format(s->arena, "%s.%s", path, ending);
     if (access(other, F_OK) == 0)
@@ -202,8 +202,8 @@ static void read_names(search *s, const char *name, const char *text, size_t len
         try_everywhere(s, names.angled.items[i]);
 }
 
-/* Keeps the folders that exist. The state contains which do not, so that it changes if one is
- * created later. */
+/* Finds the folders that exist. The digest `state` also covers those that do not, so that it
+ * changes if one is created later. */
 static void find_folders(search *s, const word_list *all) {
     for (unsigned i = 0; i < all->count; i++) {
         struct stat about;

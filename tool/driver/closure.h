@@ -27,14 +27,14 @@ typedef struct closure_request {
 
 typedef struct closure {
     const char *unknown; /**< the reason why the closure is unknown; NULL: it is known */
-    digest state;        /**< of names, contents, and which names lead to one file */
+    digest state;        /** digest of names, contents, and of which names lead to the same file */
     map *files;          /**< devices and inodes of the files */
 } closure;
 
-/** Finds the closure, without reading a file if none has changed since it was found before. */
+/** Finds the closure. If no file has changed since it was last found, no file is read. */
 closure closure_find(arena *a, const store *kept, const closure_request *request);
 
-/** Whether `path` is one of the closure's files. */
+/** Returns whether `path` is one of the closure's files. */
 bool closure_has(const closure *c, const char *path);
 
 #endif

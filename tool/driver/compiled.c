@@ -18,9 +18,9 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
     return false;
 }
 
-/* Is it an option that names no other file than the headers and the object, and that does not
- * depend on the machine? Options that match no list are not plain, except for -f options without
- * a value. */
+/* Is this an option that names no file but headers and the object, and that does not depend on the
+ * machine? An option that matches no list does not count as plain, except for -f options without a
+ * value. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",
@@ -142,8 +142,8 @@ int compiled_text(session *s, const translation *t, const word_list *words, cons
     return status;
 }
 
-/* The file that -MF names. NULL: there is no -MF, or several; an option goes through -Wp,-M; or
- * by -MG the file depends on missing headers. */
+/* The file that -MF names. NULL if there is no -MF or several, if an option goes through -Wp,-M, or
+ * if the file depends on missing headers because of -MG. */
 static const char *dependency_file(const command *c) {
     const char *file = NULL;
     for (unsigned i = 0; i < c->count; i++) {

@@ -26,7 +26,7 @@ typedef struct condition_value {
  * values, also as operands of `defined`. */
 condition_value condition_evaluate(const char *expression, condition_version version);
 
-/** Whether both are the same value, or the same unknown; false if either is wrong. */
+/** Returns whether both are the same value, or the same unknown; false if either is wrong. */
 bool condition_equal(const condition_value *left, const condition_value *right);
 
 #endif

@@ -148,7 +148,8 @@ static bool is_same_for_all_versions(const char *expression) {
     return true;
 }
 
-/* Whether this occurrence of `word` in its line is irrelevant. */
+/* Is this occurrence of `word` in its line irrelevant, because the line means the same to all
+ * compilers? */
 static bool is_harmless(const char *line, const char *word) {
     line += strspn(line, " \t");
     if (*line != '#')

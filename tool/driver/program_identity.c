@@ -130,7 +130,7 @@ static int compare_texts(const void *left, const void *right) {
     return strcmp(*(const char *const *)left, *(const char *const *)right);
 }
 
-/* Does the environment variable in `entry` affect what compiler or translator do? */
+/* Does the environment variable in `entry` affect what the compiler or the translator does? */
 static bool counts(const char *entry) {
     static const char *const beginnings[] = {"C_INCLUDE_PATH=",
                                              "CCC_",

@@ -69,7 +69,7 @@ static bool describes_build(arena *a, const char *folder) {
 }
 
 /* The outermost folder with a build description, at most a few levels above `folder`; NULL: there
- * is none. The home folder and those above it are no project. */
+ * is none. The home folder and those above it do not count. */
 static const char *root_of(arena *a, const char *folder) {
     const char *root = NULL, *home = getenv("HOME");
     char *at = arena_string(a, folder);
@@ -120,7 +120,7 @@ typedef struct scanner {
     int braces, parentheses;    /* the numbers of open ones */
     const char *name;           /* outside of bodies: the word before a declaration's first '(' */
     bool is_static,
-        is_called; /* outside of bodies: `static` was read; the parentheses are closed */
+        is_called; /* outside of bodies: was `static` read? are the parentheses closed? */
     bool has_loop, has_update;
 } scanner;
 

@@ -116,8 +116,8 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Is a word that was parsed as an input no file? The input is missing, which clang checks first, or
- * the word is the argument of an option that is not in the table. */
+/* Does a word that was parsed as an input name no file? Either the input is missing, which clang
+ * checks first, or the word is the argument of an option that is not in the table. */
 static bool misses_input(const command *c) {
     for (unsigned i = 0; i < c->count; i++) {
         const char *word = c->items[i].text;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The private temporary folder of one call of redcc-cc; removes those that killed calls left. */
+/** The private temporary folder of one call of redcc-cc. Folders that killed calls have left are
+ * removed. */
 #ifndef DRIVER_TEMPORARY_H
 #define DRIVER_TEMPORARY_H
 

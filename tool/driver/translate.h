@@ -25,16 +25,17 @@ translation translate(session *s, const item *source, unsigned number);
 void translation_add_before(session *s, word_list *list, const translation *t);
 void translation_add_after(session *s, word_list *list, const translation *t);
 
-/** Whether inline assembler in the source or a header may have the assembler read a file. */
+/** Returns whether inline assembler in the source or a header may have the assembler read a
+ * file. */
 bool translation_assembles_file(session *s, const translation *t);
 
-/** Whether the compiler, run with the options of translation_add_after, read the same headers
- * for the text as for the source. */
+/** Returns whether the compiler, run with the options of translation_add_after, read the same
+ * headers for the text as for the source. */
 bool translation_read_same(session *s, const translation *t);
 
-/** Appends the translation's report to the build's report, if the text was used or there is none,
- * and keeps the text ($REDCC_KEEP). `used`: the text was used; else `messages`, a file of compiler
- *  messages, is kept as the reason. */
+/** Appends the translation's report to the build's report, if the text was used or there is no
+ * text, and keeps the text ($REDCC_KEEP). `used`: the text was used; otherwise `messages`, a file
+ * of compiler messages, is kept as the reason. */
 void translation_keep(session *s, const translation *t, bool used, const char *messages);
 
 #endif

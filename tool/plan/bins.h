@@ -86,8 +86,7 @@ typedef struct bins_record {
 typedef struct bins_stream {
     unsigned array_count;
     unsigned arrays[MOST_STREAM_ARRAYS];
-    value_kind
-        kinds[MOST_RECORD_VALUES]; /* the types of a record's values, up to the first VALUE_NONE */
+    value_kind kinds[MOST_RECORD_VALUES]; /* types of a record's values, then VALUE_NONE */
     unsigned tag_count;
 } bins_stream;
 
