@@ -100,7 +100,7 @@ static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
     return unit->references + low;
 }
 
-/** Does the name, which is in a copy of byte `offset` of the program, have the same meaning there?
+/** The name is in a copy of the program's text from `offset`. Does it have the same meaning there?
  * All names to which a macro expands have one offset. */
 static bool is_as_before(const comparison *c, const ir_reference *reference, uint32_t offset) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -120,8 +120,8 @@ static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
-/** Is it a name of the runtime or the compiler? Programs that use one of the runtime's for
- * something else are not translated (taken_name of plan/macros.h). */
+/** Is the name one of the runtime's or the compiler's? A program that uses one of the runtime's
+ * names for something else is not translated (taken_name of plan/macros.h). */
 static bool is_own_name(const char *name) {
     return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
            starts_with(name, "__builtin_") || starts_with(name, "__atomic_");
@@ -167,7 +167,7 @@ static const char *wrong_reference(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
-/** A name of the loop's text that the compiler's tree does not contain; NULL: none. */
+/** A name of the loop's text that is missing from the compiler's tree; NULL: none. */
 static const char *unseen_name(const comparison *c, const ir_unit *after,
                                const written_loop *loop) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -198,7 +198,7 @@ static const ir_typed_place *typed_place_at(const ir_unit *unit, uint32_t offset
     return unit->typed_places + low;
 }
 
-/** Are the types, of two parses of the program, the same? */
+/** Are types of two different parses of the program the same? */
 static bool is_same_type(const ir_type *a, const ir_type *b) {
     while (a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY) &&
            a->count == b->count)

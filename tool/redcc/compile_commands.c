@@ -9,7 +9,7 @@
 #include "driver/words.h"
 #include "support/compiler_options.h"
 
-/** The path, which is relative to `folder`. */
+/** The path, joined to `folder` unless it is absolute. */
 static const char *joined(arena *a, const char *folder, const char *path) {
     return path[0] == '/' ? path : arena_format(a, "%s/%s", folder, path);
 }

@@ -17,7 +17,7 @@ const char *explain_link(arena *a, const char *reason);
  *  several reasons whose slugs contain the word. */
 const char *explain_nearest(arena *a, const char *word);
 
-/** All reasons, one a line: id and slug. */
+/** All reasons, one per line: id and slug. */
 const char *explain_list(arena *a);
 
 /** The location of docs/refused.md, as explain_link; NULL: none. */

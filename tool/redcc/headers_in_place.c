@@ -104,7 +104,8 @@ static bool text_fits(arena *a, const source *header, const source *around) {
 
 /* ---- the directive ------------------------------------------------------------------------- */
 
-/* `#include "x.h"` on a line, with nothing after it. */
+/* Finds `#include "x.h"`, with nothing after it, on the line around `offset`. Sets *found to its
+ * range. */
 static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found) {
     const source *s = unit->source;
     uint32_t begin = offset, end = offset;
@@ -193,7 +194,7 @@ header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_resul
     return found.count > 0 && names_level(a, unit) ? (header_uses){0} : found;
 }
 
-/* The text, with an empty line for each `#pragma once`. */
+/* Appends the header's text, with an empty line for each `#pragma once`. */
 static void add_text(arena *a, buffer *out, const source *header) {
     unsigned count;
     const ir_directive *directives = directives_in(a, header->text, header->length, &count);

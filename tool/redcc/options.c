@@ -169,7 +169,7 @@ static int find_word(const char *const *words, size_t count, const char *word) {
     return -1;
 }
 
-/** "a, b or c" */
+/** The words as "a, b or c". */
 static const char *list_words(arena *a, const char *const *words, size_t count) {
     const char *list = words[0];
     for (size_t i = 1; i < count; i++)

@@ -50,7 +50,7 @@ const char *options_read(arena *a, int argc, char **argv, options *result);
 
 /** The text of --help. */
 extern const char options_help[];
-/** "serial", "fixed", "any". */
+/** The word for the order: "serial", "fixed" or "any". */
 const char *options_order_word(result_order order);
 
 #endif

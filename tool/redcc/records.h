@@ -13,8 +13,8 @@
 const char *records_write(arena *a, const ir_unit *unit, const project *around);
 
 /** Declares the record of `function` in text to be appended, weakly: its address is NULL if the
- *  program has none. `type`: of the record. `as`: the name in the text; NULL: that of the object
- *  file's symbol. */
+ * program has none. `type`: the record's type. `as`: the record's name in the text; NULL: the name
+ * of the object file's symbol. */
 void record_declare_weak(buffer *out, const char *type, const char *as, const char *function);
 
 /** Declares `as` as a weak reference to `function`, which the program then need not define: the
