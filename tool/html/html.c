@@ -20,7 +20,8 @@ static int fail(const char *what, const char *path) {
     return FAILED;
 }
 
-/* Is it the name of a file that an earlier call has written: index.html, style.css, 12-x.c.html? */
+/* Is this the name of a file that an earlier call has written: index.html, style.css,
+ * 12-x.c.html? */
 static bool is_page(const char *name) {
     const size_t digits = strspn(name, "0123456789"), length = strlen(name);
     if (strcmp(name, "index.html") == 0 || strcmp(name, "style.css") == 0)
@@ -29,8 +30,8 @@ static bool is_page(const char *name) {
            strcmp(name + length - 5, ".html") == 0;
 }
 
-/* Removes the entries of a folder or, without `removes`, returns the name of one that is no page,
- * in the arena; NULL: none. */
+/* Removes all entries of the folder or, without `removes`, returns the name of an entry that is no
+ * page, in the arena; NULL: none. */
 static const char *visit_entries(arena *a, const char *folder, bool removes) {
     const char *stranger = NULL;
     DIR *entries = opendir(folder);

@@ -8,7 +8,8 @@
 
 typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML } report_form;
 
-/** The reason why a loop that runs in parallel has no form for several iterations at once. */
+/** Whether a loop that runs in parallel has a form for several iterations at once and, if not,
+ * why. */
 typedef struct lanes_remark {
     bool is_asked;    /* such a form was requested for the loop */
     const char *slug; /* NULL: the loop has such a form */
@@ -19,9 +20,9 @@ typedef struct lanes_remark {
 typedef struct report_input {
     const ir_unit *unit;
     const analysis_result *analysis;
-    const char *version;       /* of redcc */
+    const char *version;       /* version of redcc */
     const char *order;         /* as --order takes it */
-    const lanes_remark *lanes; /* of each verdict; NULL: no such form was requested */
+    const lanes_remark *lanes; /* by verdict; NULL: such a form was requested for no loop */
     bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */

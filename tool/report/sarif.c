@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result a loop. */
+/** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result per loop. */
 #include "analysis/base/reason.h"
 #include "report/facts.h"
 #include "report/plan.h"
@@ -93,7 +93,7 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     return result;
 }
 
-/* The verdict's message for all loops: dots replace the name in it. */
+/* The verdict's message with dots in place of the name, so that it is the same for all loops. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
         return verdict_is_written(verdict)

@@ -35,7 +35,7 @@ static void *allocate_or_die(size_t size) {
 
 static block *add_block(arena *a, size_t size) {
     if (size > SIZE_MAX - sizeof(block))
-        size = SIZE_MAX - sizeof(block); /* calloc fails: ends with the message above */
+        size = SIZE_MAX - sizeof(block); /* calloc fails, which ends the program with a message */
     block *b = allocate_or_die(sizeof(block) + size);
     b->size = size;
     b->next = a->blocks;

@@ -11,7 +11,7 @@
 
 typedef struct source {
     const char *path; /* as the user gave it */
-    const char *text; /* length bytes and a 0; BOM, CRLF and all */
+    const char *text; /* the file's bytes (with BOM, CRLF) and a 0 */
     uint32_t length;
     uint32_t line_count;
     const uint32_t *line_begin; /* [line_count] offsets */
@@ -44,8 +44,9 @@ bool source_is_name_byte(char c);
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 /** Does the name occur in text[0 .. length)? */
 bool source_has_name(const char *text, size_t length, const char *name);
-/** The same, for a search that must not miss the word: a `$` or a byte of UTF-8 next to it may
- *  belong to no name (-fno-dollars-in-identifiers), so the word occurs there as well. */
+/** As source_has_name, for a search that must not miss the word. A `$` or a byte of UTF-8 next to
+ * it may belong to no name (-fno-dollars-in-identifiers), so the word counts as found there,
+ * too. */
 bool source_has_word(const char *text, size_t length, const char *word);
 /** Are the texts equal, or both NULL? */
 bool source_same_text(const char *a, const char *b);
