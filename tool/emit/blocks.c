@@ -15,7 +15,7 @@
 
 enum {
     MOST_BLOCKS = 256, /* so the shares of 7 or 12 threads differ by a few percent only */
-    MOST_BLOCKS_UNBALANCED = 1024 /* for iterations that take different times */
+    MOST_BLOCKS_UNBALANCED = 1024 /* for iterations of unequal length */
 };
 
 static const fixed_blocks *blocks_of(const loop_text *loop) {

@@ -9,11 +9,12 @@
 /** Is the loop such a loop? */
 bool has_crew(const loop_text *loop);
 
-/** At the beginning of the loop's block: opens a block that only the first thread enters, while the
- * others help. If the loop is executed as written, all threads enter the block. */
+/** Writes, at the beginning of the loop's block, the beginning of an inner block that only the
+ * first thread enters, while the others help. If the loop is executed as written, all threads enter
+ * it. */
 void write_meeting(loop_text *loop, writer *out);
 
-/** At the end of the loop's block: closes the block that write_meeting opened. */
+/** Writes, at the end of the loop's block, the end of the block that write_meeting begins. */
 void write_parting(loop_text *loop, writer *out);
 
 #endif

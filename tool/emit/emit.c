@@ -320,7 +320,7 @@ typedef struct file_text {
     const ir_unit *whole, *seen;
     const analysis_result *analysis;
     const plan_options *options;
-    const loop_plan **plans; /* by verdict */
+    const loop_plan **plans; /* indexed by verdict */
     lanes_outcome *lanes;
     reason *obstacles;
     const char *obstacle; /* the reason why no loop is written; NULL: none */

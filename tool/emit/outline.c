@@ -312,8 +312,8 @@ static void write_body(loop_text *loop, writer *out) {
         write_lanes(loop, out);
 }
 
-/** Writes the function that each thread calls. It copies the context's values, inspects and
- * executes. */
+/** Writes the function that each thread calls. It copies the context's values, then inspects and
+ * executes iterations. */
 static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "%sREDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {",
                 loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "member"));

@@ -14,9 +14,9 @@ bool has_frame_parts(const loop_text *loop);
 /** Declares the storage, at the function's beginning. */
 loop_piece frame_parts(loop_text *loop, int blocks);
 
-/** At the loop: declares `redcc__parts`, a pointer to the storage; `redcc__all_ended`, a pointer to
- * the number of blocks that the team has ended; and `redcc__mine`, the number that the thread has
- * ended. */
+/** Declares, before the loop, `redcc__parts`, a pointer to the storage; `redcc__all_ended`, a
+ * pointer to the number of blocks that the team has ended; and `redcc__mine`, the number that the
+ * thread has ended. */
 void write_team_parts(loop_text *loop, writer *out, int blocks);
 
 /** Writes the text before the loop's directive: the threads wait for each other, or get the

@@ -36,7 +36,7 @@ typedef struct report_loop {
 
 /** One source, however often it was compiled. */
 struct report_file {
-    const char *name;       /**< as reported */
+    const char *name;       /** name as reported */
     const char *path;       /**< where its text is expected */
     const char *left_alone; /**< why it was not translated; NULL: it was */
     VECTOR(report_loop *) loops;

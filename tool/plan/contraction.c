@@ -19,7 +19,7 @@
 
 /** Floating-point operations of a loop or of functions that it calls, directly or indirectly. */
 typedef struct reach {
-    bool *is_seen; /* by function */
+    bool *is_seen; /* indexed by function */
     bool multiplies, adds;
 } reach;
 

@@ -27,7 +27,8 @@ const char *lane_known_call(const ir_function *callee);
  * loop. */
 void lane_check_errors(lane_scope *l);
 
-/** Calls per iteration that are made lane by lane, without those in update statements. */
+/** The number of calls per iteration that are made lane by lane, except for those in update
+ * statements. */
 int64_t lane_count_calls(const lane_scope *l);
 
 #endif

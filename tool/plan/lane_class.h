@@ -27,7 +27,7 @@ typedef struct lane_scope {
     const loop_plan *plan;
     const ir_function *function; /* NULL: the loop's body */
     const ir_node *body;
-    lane_class *class_of; /* by variable */
+    lane_class *class_of; /* indexed by variable */
     ir_range place;       /* the range of the last statement that the file itself contains */
     lanes_outcome *outcome;
 } lane_scope;

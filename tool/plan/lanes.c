@@ -302,7 +302,7 @@ bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
     return true;
 }
 
-enum { MOST_DEPTH = 8 /* of calls */ };
+enum { MOST_DEPTH = 8 /* nesting depth of calls */ };
 
 const ir_type *lane_vector_type(const ir_variable *variable) {
     const ir_type *type = variable->type;

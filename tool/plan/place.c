@@ -36,8 +36,8 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
 
 /** Positions in the file after a token; 0: none. */
 typedef struct token_ends {
-    uint32_t last;        /* of the last token */
-    uint32_t declaration; /* of the last ; or } outside of parentheses */
+    uint32_t last;        /* the end of the last token */
+    uint32_t declaration; /* the end of the last ; or } outside of parentheses */
 } token_ends;
 
 /** The position after the last function body that ends before `end`, or the beginning of the file.

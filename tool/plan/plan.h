@@ -24,7 +24,7 @@ typedef struct logged_source {
 
 enum { SOURCE_NOT_LOGGED = -1 };
 
-/** Whether one thread logs all iterations in order before they are inspected (precheck.h). */
+/** Does one thread log all iterations in order before they are inspected (precheck.h)? */
 typedef enum dependence_precheck {
     PRECHECK_NONE,
     PRECHECK_OF_UPDATES, /* updates are checked: the ranges read are known before the loop */

@@ -15,7 +15,7 @@ enum {
     AWAITED = 4000,
     LEAST_AHEAD = 2,
     MOST_AHEAD = 16, /* more rows occupy too many entries of the first-level TLB */
-    MOST_DEPTH = 8   /* of calls */
+    MOST_DEPTH = 8   /* nesting depth of calls */
 };
 
 /** Does the slice contain a loop of unknown length? Executing it twice may be too expensive. */

@@ -214,9 +214,9 @@ bool unverified_condition(const unverified_reads *s, const ir_node *node) {
     }
 }
 
-/** Whether a condition on an unverified value decides if a node is executed. */
+/** The conditions that decide whether a node is executed. */
 typedef struct decision {
-    bool is_unverified;    /* such a condition decides */
+    bool is_unverified;    /* one of them is unverified */
     const ir_node *branch; /* if only `if` statements have unverified conditions: the branch of the
                             * innermost one; else NULL */
 } decision;

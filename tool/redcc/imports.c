@@ -14,7 +14,7 @@ enum { MOST_FILES = 12 };
 
 typedef struct wanted {
     arena *memory;
-    bool *is_visited; /* by function */
+    bool *is_visited; /* indexed by function */
     string_list names;
     string_list
         headers;    /* for each name, the header that declares it; NULL: the file itself does */
@@ -110,7 +110,7 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
 
 typedef struct calls {
     arena *memory;
-    bool *is_noted; /* by function */
+    bool *is_noted; /* indexed by function */
     VECTOR(const ir_function *) direct;
 } calls;
 

@@ -25,7 +25,7 @@ typedef struct recorder {
 
 typedef struct callees {
     arena *memory;
-    bool *is_noted; /* by function */
+    bool *is_noted; /* indexed by function */
     const ir_unit *unit;
     VECTOR(const ir_function *) found;
     bool has_directive; /* a static function that the definition calls has an OpenMP directive */

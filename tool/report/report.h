@@ -8,8 +8,8 @@
 
 typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML } report_form;
 
-/** Whether a loop that runs in parallel has a form for several iterations at once and, if not,
- * why. */
+/** The result for a loop that runs in parallel: a form for several iterations at once, or the
+ * reason why it has none. */
 typedef struct lanes_remark {
     bool is_asked;    /* such a form was requested for the loop */
     const char *slug; /* NULL: the loop has such a form */
@@ -21,7 +21,7 @@ typedef struct report_input {
     const ir_unit *unit;
     const analysis_result *analysis;
     const char *version;       /* version of redcc */
-    const char *order;         /* as --order takes it */
+    const char *order;         /* value of --order */
     const lanes_remark *lanes; /* by verdict; NULL: such a form was requested for no loop */
     bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's

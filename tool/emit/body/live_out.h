@@ -7,18 +7,18 @@
 
 /** Declares storage for the last values of variables that each iteration assigns. */
 void declare_live_outs(loop_text *loop, writer *out);
-/** For the last iteration: writes stores of these values. */
+/** Writes code that stores these values in the last iteration. */
 void note_live_outs(loop_text *loop, writer *out);
 /** After the loop: copies the values to the variables. */
 void take_live_outs(loop_text *loop, writer *out);
 
-/** For each variable that only some iterations assign: declares storage for the value that the
+/** Declares, for each variable that only some iterations assign, storage for the value that the
  * latest of these iterations assigned, and for that iteration's number. */
 void declare_conditional_live_outs(loop_text *loop, writer *out);
-/** After an assignment of private variable `number`: writes code that records value and
+/** Writes, after an assignment of private variable `number`, code that records value and
  * iteration. */
 void write_note(loop_text *loop, writer *out, unsigned number);
-/** At a thread's end: writes code that merges its values into the storage. */
+/** Writes, at a thread's end, code that merges its values into the storage. */
 void write_last_notes(loop_text *loop, writer *out);
 /** After the loop: copies the values to the variables. */
 void take_conditional_live_outs(loop_text *loop, writer *out);

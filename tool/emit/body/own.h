@@ -11,9 +11,9 @@ const char *kept_own_type(const loop_text *loop, unsigned number);
 const char *kept_own_name(loop_text *loop, unsigned number);
 unsigned kept_own_number(const loop_text *loop, unsigned number);
 
-/** At the end of an iteration: writes code that records the values. */
+/** Writes, at the end of an iteration, code that records the values. */
 void keep_own(loop_text *loop, writer *out);
-/** After the loop: writes code that stores the recorded values. */
+/** Writes, after the loop, code that stores the recorded values. */
 void store_own(loop_text *loop, writer *out);
 
 #endif

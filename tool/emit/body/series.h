@@ -6,7 +6,7 @@
 #include "emit/base/extra.h"
 #include "emit/base/loop.h"
 
-/** Before the call: writes the requests to the runtime, and storage for the sums. */
+/** Writes, before the call, the requests to the runtime, and storage for the sums. */
 void declare_series(loop_text *loop, writer *out);
 /** Calls `take` for each value that slice, body and threads get for the series. */
 void for_each_series_value(loop_text *loop, void (*take)(void *to, extra_value value), void *to);
@@ -22,13 +22,15 @@ void finish_series(loop_text *loop, writer *out);
 /** The statement after a tile that adds the operands of a completed band (a group of rows); "":
  * there is no series. */
 const char *series_of_band(loop_text *loop);
-/** At the beginning of an iteration: begins its operands; in a tile, resumes them. */
+/** Writes, at the beginning of an iteration, code that begins its operands or, in a tile, resumes
+ * them. */
 void begin_series(loop_text *loop, writer *out);
-/** At the end of a row's inner iterations in a tile: suspends the iteration's operands. */
+/** Writes, after a row's inner iterations in a tile, code that suspends the iteration's
+ * operands. */
 void leave_series(loop_text *loop, writer *out);
-/** In place of update `number`: appends its operand `value`. */
+/** Writes, in place of update `number`, code that appends its operand `value`. */
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value);
-/** After the loop: writes the assignments of the scalars. */
+/** Writes, after the loop, the assignments of the sums to the scalars. */
 void take_series(loop_text *loop, writer *out);
 
 #endif

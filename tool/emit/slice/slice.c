@@ -125,7 +125,7 @@ static bool is_logged_below(const loop_facts *facts, const loop_span *span, cons
     return false;
 }
 
-/** Does an enclosing span that steps the row log it? */
+/** Is the row logged by an enclosing span, because that span's variables occur in the row? */
 static bool is_logged_above(const loop_facts *facts, const loop_span *span, const ir_node *row) {
     for (const ir_node *node = span->loop->parent; node != facts->loop; node = node->parent)
         if (span_of(facts, node) && span_mentions(span_of(facts, node), row) > 0)

@@ -12,7 +12,7 @@ enum { MARK_BEGIN = 1, MARK_END = 2 };
  * object meant, or an offset in the file. The second is the number of bytes, before or after the
  * mark, to which it applies. */
 static const char format[] = "\x01%c%llx,%lx\x02";
-static const char letters[] = "ndtvc"; /* by origin_kind */
+static const char letters[] = "ndtvc"; /* indexed by origin_kind */
 _Static_assert(sizeof letters - 1 == ORIGIN_COPY + 1, "a letter for each kind");
 
 static const char *mark(arena *a, origin_kind kind, const void *meant, size_t length) {
