@@ -65,10 +65,10 @@ static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32
         buffer_text(out, *at == '\n' ? "\n" : "");
 }
 
-/** Copies a directive so that it has the line number of the original, since its condition may use
- *  __LINE__, perhaps through a macro. An #if gets a #line directive. Later directives of its group
- * cannot: in a skipped branch a #line has no effect. They get the line ends since `before`, the
- *  directive copied last. */
+/** Copies a directive so that it keeps its line number, since its condition may use __LINE__,
+ * perhaps through a macro. An #if gets a #line directive. Later directives of its group cannot get
+ * one, because in a skipped branch a #line has no effect. They get the line ends since `before`,
+ * the directive copied last. */
 static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
                            const ir_directive *before) {
     const char *text = loop->whole->source->text;

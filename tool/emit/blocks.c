@@ -73,7 +73,8 @@ static const char *combination(arena *a, const blocked_scalar *scalar, const cha
 
 /* ---- before the loop ------------------------------------------------------------------------- */
 
-/** The loop's description; the runtime reads only the required order of results from it. */
+/** Writes the loop's description, from which the runtime reads only the required order of
+ * results. */
 static void write_site(loop_text *loop, writer *out) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_line(out, "static redcc_site redcc__site = {");
@@ -102,7 +103,7 @@ static void write_parts(loop_text *loop, writer *out) {
     writer_line(out, "} redcc__parts[%d];", most_blocks(loop));
 }
 
-/** The directive for the loop over blocks. */
+/** Writes the directive for the loop over blocks. */
 static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     if (is_of_team(loop))
@@ -128,8 +129,8 @@ static void write_directive(loop_text *loop, writer *out) {
     buffer_text(&out->out, ")\n");
 }
 
-/** The loop over blocks: a block's private variables, and the header of the loop over its
- *  iterations. */
+/** Writes the loop over blocks: a block's private variables, and the header of the loop over its
+ * iterations. */
 static void write_block(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");

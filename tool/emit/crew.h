@@ -6,7 +6,7 @@
 
 #include "emit/base/loop.h"
 
-/** Is the loop such a loop? */
+/** Is the loop under `omp for`, so that a team executes it? */
 bool has_crew(const loop_text *loop);
 
 /** Writes, at the beginning of the loop's block, the beginning of an inner block that only the

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loop's description for the runtime: static objects, and the key of one execution. */
+/** Writes the loop's description for the runtime: static objects, and the key of one execution. */
 #include <assert.h>
 
 #include "emit/base/names.h"
@@ -180,8 +180,8 @@ static bool skips_inner_iterations(const loop_plan *plan) {
     return false;
 }
 
-/** May the runtime execute the first iterations in order and time them? Not with tiles, which it
- * tries without a sample, nor with sections, which give the results of another order. */
+/** May the runtime execute the first iterations in order and time them? Not with tiles, which the
+ * runtime tries without a sample, nor with sections, which give the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call &&
            !loop->plan->execution.sections;

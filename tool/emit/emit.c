@@ -19,7 +19,7 @@ static const char byte_order_mark[] = "\xef\xbb\xbf";
 /** The prefix of names that the generated text declares. */
 static const char reserved_prefix[] = "redcc__";
 
-/** Does the first line end with CR LF? If so, each generated line does, too. */
+/** Does the file's first line end with CR LF? If so, each generated line does, too. */
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
@@ -87,7 +87,7 @@ static bool is_around(const ir_unit *unit, const ir_function *function, const ir
     return tag->offset < loop.begin;
 }
 
-/** A type that the loop's text names and that is not declared where the loop is; NULL: none. */
+/** A type that the loop's text names but that is not declared at the loop; NULL: none. */
 static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
                                    const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
@@ -146,7 +146,8 @@ static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
            is_known_at(unit, declared, piece->replaced.begin);
 }
 
-/** Is each name in a copy of the user's bytes declared in the piece, or above it? */
+/** Is each name in a copy of the user's bytes declared in the piece that contains the copy, or
+ * above it? */
 static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const origin *copy) {
     const uint32_t end = copy->from + (copy->end - copy->begin);
     for (unsigned i = 0; i < unit->reference_count; i++) {
@@ -158,7 +159,7 @@ static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const 
     return true;
 }
 
-/** Does the text before a function use only names declared above it, or in the text itself? */
+/** Does the text before a function use only names that are declared above that text or in it? */
 static bool all_is_known(const ir_unit *unit, const written_loop *piece) {
     for (unsigned i = 0; i < piece->origins.items.count; i++) {
         const origin *o = &piece->origins.items.items[i];

@@ -16,7 +16,7 @@
     "#if !defined(REDCC_OFF) && defined(__has_include)\n"                                          \
     "#if __has_include(<redcc/runtime.h>)\n"                                                       \
     "#include <redcc/runtime.h>\n"
-/** The beginning of the line after them. */
+/** The beginning of the line after REDCC_BEGINNING. */
 #define REDCC_REQUIREMENT "REDCC_REQUIRE_VERSION("
 
 /** A piece of a loop's generated text. It replaces the loop or a part of it, or is inserted before
@@ -36,10 +36,10 @@ typedef struct emit_result {
     size_t length;
     unsigned loop_count;       /* number of pieces of all written loops */
     const written_loop *loops; /* the pieces, in the order of their positions */
-    /* For each verdict, the reason why the loop cannot be written: message and range are set, the
+    /* The reason, for each verdict, why the loop cannot be written: message and range are set, the
      * id is not. Such a loop is left unchanged. The message is NULL if the loop can be written. */
     const reason *obstacles;
-    /* For each verdict, whether the loop has a form for several iterations at once.
+    /* The result, for each verdict, of writing a form for several iterations at once.
      * LANES_NOT_ASKED: none was requested. */
     const lanes_outcome *lanes;
 } emit_result;

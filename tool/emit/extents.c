@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Writes the extents of the loop's reads (their ranges in memory) that are known before the
- *  inspection. */
+ * inspection. */
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "emit/base/names.h"

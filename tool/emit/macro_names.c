@@ -14,7 +14,7 @@ static void check_piece(loop_text *loop, buffer *piece) {
     piece->length = 0;
 }
 
-/** Words that macros of redcc/loop.h use in every form. */
+/** Words that the macros of redcc/loop.h contain in every form. */
 static const char words_of_all_forms[] = "void int const char for (0) sizeof(0) ";
 
 void check_macro_names(loop_text *loop, const buffer *written) {

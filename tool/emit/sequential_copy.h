@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Declares redcc__replaces: may the loop now be executed without its directives? Writes nothing
- * for a loop without directives. */
+/** Declares redcc__replaces, which tells at run time whether the loop may be executed without its
+ * directives. Writes nothing for a loop without directives. */
 void declare_replaces(loop_text *loop, writer *out);
 
 /** A further condition for running in parallel, "... && "; "" for a loop without directives. */

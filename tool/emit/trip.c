@@ -18,7 +18,7 @@
 #include "plan/lookup.h"
 
 enum {
-    INT_SIZE = 4, /* on every target of OpenMP */
+    INT_SIZE = 4, /* size of an int on every target with OpenMP */
     WIDE_SIZE = 8 /* redcc_int */
 };
 

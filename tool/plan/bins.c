@@ -92,7 +92,8 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     return true;
 }
 
-/** The C library's fmin, fmax and their variants: in R = fmin(R, v) an argument is the target. */
+/** Is the callee fmin, fmax or a variant of the C library? In R = fmin(R, v) one argument is the
+ * target. */
 static bool is_extremum(const ir_node *callee) {
     return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
            (strncmp(callee->function->name, "fmin", 4) == 0 ||
@@ -273,7 +274,7 @@ static bool may_meet_kept(const loop_facts *facts) {
 }
 
 /** Must the body see only verified values? The next execution overwrites the operands of scalars
- * and values of own elements that an aborted one has left, but not its series. */
+ * and the values of own elements that an aborted execution has left, but not its series. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||

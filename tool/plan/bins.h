@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * In-order binning (redcc/bins.h): an update becomes a record, which holds the values that the
- * update reads except for the element itself. A function applies records to the elements. Adjacent
- * updates of one row (bins_row.c), or of several arrays at one subscript (bins_group.c), share a
- * record. So do all iterations of a loop with constant bounds (bins_nest.c) or over a row
- * (bins_span.c).
+ * In-order binning (redcc/bins.h, docs/methods.md): an update becomes a record, which holds the
+ * values that the update reads except for the element itself. A function applies records to the
+ * elements. Adjacent updates of one row (bins_row.c), or of several arrays at one subscript
+ * (bins_group.c), share a record. So do all iterations of a loop with constant bounds (bins_nest.c)
+ * or over a row (bins_span.c).
  *
  * Why it is sound: only the updates access the arrays, so they may be made later. The records of an
  * element are applied in the order of the loop. A record holds the values that its updates would
@@ -79,7 +79,7 @@ typedef struct bins_record {
     unsigned stream;
     unsigned operand_count;
     const ir_node *operands[MOST_RECORD_OPERANDS];
-    unsigned tag;
+    unsigned tag; /* number, within the stream, of the statements that apply the record */
 } bins_record;
 
 /** The records of an array, or of arrays that are always updated together. */
@@ -99,7 +99,7 @@ typedef struct bins_plan {
     bool has_nests;
     bins_nest *nests;         /* by update number: its nest, if it has one */
     bins_span *spans;         /* by update number: its span, if it has one */
-    uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute; */
+    uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute */
     uint32_t varied_sources;  /* subset of guarded_sources: those to which later iterations of a
                                * chunk may add reads */
     bool is_checked; /* the body must not see unverified values, so the ranges of all reads and
@@ -130,7 +130,8 @@ unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduc
  * reaches its row; NULL: it is held elsewhere, or the array is not scattered. */
 const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
 
-/** Does the node name the updated element? Equal calls in both subscripts count as equal. */
+/** Does the node name the updated element? If both subscripts contain equal calls, the calls count
+ * as equal. */
 bool is_updated_element(const ir_node *node, const ir_node *target);
 
 /** The number of the operand that equals this node; -1: none. Two calls never count as equal. */

@@ -91,7 +91,7 @@ static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};
     if (!syntax_editable_statement(outermost, facts->counted.body))
-        return false; /* a macro's text may contain more than the loop */
+        return false; /* a macro's expansion may contain more than the loop */
     for (const ir_node *node = outermost; node != update->statement;) {
         const ir_node *next = NULL;
         if (node->kind == IR_FOR) {
@@ -142,8 +142,8 @@ static bool have_equal_parts(const loop_facts *facts, const reduction_update *a,
     return left == left_row && right == right_row;
 }
 
-/** The records of a nest's updates are appended in the order of the statements. Two updates of one
- *  array must reach each element in that order too. */
+/** Do updates of one array reach each element in the order of the statements? The records of a
+ * nest's updates are appended in that order. */
 static bool keeps_order(const loop_facts *facts, const bins_nest *nests, unsigned i) {
     for (unsigned j = 0; nests[i].outermost && j < facts->update_count; j++)
         if (facts->updates[j].array == facts->updates[i].array &&

@@ -38,8 +38,8 @@ bool is_same_row(const loop_facts *facts, const bins_plan *bins, const reduction
  * the body. */
 bool group_updates(arena *a, const loop_facts *facts, bins_plan *bins, bool wide, bool together);
 
-/** Do both records make the same updates, except for rows and operands' values? Both are of one
- * stream. */
+/** Do both records make the same updates, except for rows and operands' values? Both must belong to
+ * one stream. */
 bool records_are_alike(const loop_facts *facts, const bins_plan *bins, const bins_record *a,
                        const bins_record *b);
 

@@ -137,7 +137,7 @@ static bool is_row_reached(const loop_facts *facts, const reduction_update *upda
                : loop_array_of_base(facts, node) == (int)update->array;
 }
 
-/** Does the element have its type's alignment? A member of a packed record need not. */
+/** Does the element have its type's alignment? A member of a packed record may lack it. */
 static bool is_aligned(const loop_facts *facts, const reduction_update *update) {
     const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
     const ir_node *node = update->target;

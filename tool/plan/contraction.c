@@ -31,7 +31,7 @@ static bool is_arithmetic_of_other_kind(const ir_type *type) {
 static void note_operation(reach *r, const ir_node *node) {
     const ir_type *type = node->kind == IR_ASSIGN && node->child_count > 1 &&
                                   !is_arithmetic_of_other_kind(node->children[0]->type)
-                              ? node->children[1]->type /* i += x: computed in the type of x */
+                              ? node->children[1]->type /* `i += x` is computed in the type of x */
                               : node->type;
     if (!is_arithmetic_of_other_kind(type))
         return;
@@ -67,7 +67,8 @@ static void collect_operations(reach *r, const ir_node *node) {
         collect_operations(r, node->children[i]);
 }
 
-/** Collects the operations of called functions only: in the loop contraction is forbidden. */
+/** Collects the operations of called functions only, because contraction is forbidden in the loop
+ * itself. */
 static void collect_calls(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);

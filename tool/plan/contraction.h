@@ -19,8 +19,8 @@ typedef enum contraction {
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
                            const plan_options *options, bool has_lanes, bool *is_forbidden);
 
-/** May an attribute or pragma of the file select another processor for functions? The file's head
- * cannot test the macros of that processor. */
+/** May an attribute or pragma of the file select another processor for functions? The text at the
+ * beginning of the written file cannot test the macros of that processor. */
 bool may_name_targets(const ir_unit *unit);
 
 #endif

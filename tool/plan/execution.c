@@ -22,7 +22,7 @@ key_form form_of_key(const ir_type *type) {
     case IR_POINTER:
     case IR_ARRAY:
         return KEY_POINTER;
-    case IR_FLOATING: /* a long double has padding bytes */
+    case IR_FLOATING: /* a long double has padding bytes, so it cannot be a key */
         return type->size <= 8 && type->spelling ? KEY_BYTES : KEY_UNFIT;
     default:
         return KEY_UNFIT;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Properties of a loop that decide whether the runtime may keep a plan, copy arrays, or skip
- *  iterations. */
+/** Properties of a loop that decide whether the runtime may keep a plan (docs/glossary.md), copy
+ * arrays, or skip iterations. */
 #ifndef PLAN_EXECUTION_H
 #define PLAN_EXECUTION_H
 

@@ -12,7 +12,8 @@
 #include "plan/unconditional.h"
 
 enum {
-    LEAST_WORK = 4, /* floating-point operations or calls for which another ownership check pays */
+    LEAST_WORK = 4, /* floating-point operations and calls from which on another ownership check
+                     * pays */
     MOST_SUMS = 12
 };
 
@@ -128,7 +129,7 @@ static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_insid
     default:
         break;
     }
-    if (is_series_update(t, node)) { /* the leading thread executes the rest completely */
+    if (is_series_update(t, node)) { /* the leader executes the rest completely */
         t->adds_to_series = true;
         return false;
     }

@@ -285,8 +285,8 @@ static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
     return false;
 }
 
-/** A private integer or pointer is the same for all lanes only if all of them execute every write
- *  of it. */
+/** If only some lanes execute this write of a uniform integer or pointer, makes the variable
+ * LANE_VARYING. */
 static void propagate_divergent_write(propagation *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);
@@ -301,7 +301,8 @@ static void propagate_divergent_write(propagation *s, const ir_node *node) {
     s->has_changed = true;
 }
 
-/** Variables written in an update statement are per lane, except for loop counters. */
+/** If an update statement writes a uniform variable that is not a loop counter, makes it
+ * LANE_VARYING. */
 static void propagate_update_write(propagation *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);

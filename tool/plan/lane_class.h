@@ -17,9 +17,10 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer per lane: an array of them */
-    LANE_MASK, /* a const integer initialised by comparisons of reals: a vector of -1 (true) or 0 */
-    LANE_LOCAL, /* declared in an update statement: private to each lane's updates */
-    LANE_VECTOR /* a double or float, or an array of them, per lane: vectors */
+    LANE_MASK,    /* a const integer initialised by comparisons of doubles or floats: a vector of -1
+                   * (true) or 0 */
+    LANE_LOCAL,   /* declared in an update statement: private to each lane's updates */
+    LANE_VECTOR   /* a double or float, or an array of them, per lane: vectors */
 } lane_class;
 
 /** The code that gets a vector form: the loop's body, or a function that it calls. */
@@ -63,8 +64,8 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node);
 bool lane_has_operator(ir_operator op);
 /** The reason why an operand that is not plain is rejected. */
 lane_reason lane_effect_of(const ir_node *node);
-/** The type of an operator's result: double if an operand is, else float. NULL: neither operand is
- *  real, or one is neither real nor an integer. */
+/** The type of an operator's result: double if an operand is double, otherwise float. NULL: neither
+ * operand is a double or float, or one is neither that nor an integer. */
 const ir_type *lane_common(const ir_type *left, const ir_type *right);
 /** In a conditional expression such as `d > 0 ? 1 : 0`: may the operands be converted before the
  * selection? Not if C first converts one to another integer type. */

@@ -121,7 +121,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
 
 /** Work of statements with updates, which is executed lane by lane. */
 typedef struct scalar_work {
-    int64_t outside;    /* nodes outside of the updates themselves */
+    int64_t outside;    /* number of IR nodes outside of the updates themselves */
     int64_t operations; /* all operations of these statements, and calls made lane by lane */
 } scalar_work;
 
@@ -148,7 +148,7 @@ void lane_check_worth(lane_scope *l) {
         lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
 }
 
-/** Has the node, in an expression, an effect other than a call? */
+/** Does the node, in an expression, have an effect other than a call? */
 static bool is_effect(const ir_node *node) {
     return node->kind == IR_ASSIGN || node->kind == IR_OPAQUE || node->kind == IR_STRING ||
            node->kind == IR_INITIALIZERS || ir_is_increment(node);
@@ -215,7 +215,8 @@ static bool check_update_node(ir_node *node, void *context) {
     return true;
 }
 
-/** May the node change the variable: assign it, declare it, take its address, or name an array? */
+/** May the node change the variable: assign it, declare it, take its address or, if it is an array,
+ * name it? */
 static bool may_change(const ir_node *node, const ir_variable *variable) {
     bool other = false;
     if (assigned_by(node, &other) == variable)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Decides which loops have a form that executes several iterations at once (redcc/lanes.h), and how
- * their statements are executed in it.
+ * Decides which loops have a form that executes several iterations at once, each in a lane
+ * (redcc/lanes.h), and how their statements are executed in it.
  *
  * A body is split into computations, which are executed for all lanes at once, and updates, which
  * are executed iteration by iteration after them. Why it is sound: no iteration reads what another
@@ -13,8 +13,8 @@
 
 #include "plan/lane_class.h"
 
-/** The reason why the loop has no such form, as far as known before the body is analysed;
- *  LANES_NOT_ASKED: none is requested; LANES_WRITTEN: no reason is known yet. */
+/** The reason why the loop has no lanes, as far as known before the body is analysed;
+ * LANES_NOT_ASKED: none are requested; LANES_WRITTEN: no reason is known yet. */
 lane_reason plan_lanes(const loop_plan *plan);
 
 /** Does the `for` initialise the variable? */

@@ -5,13 +5,15 @@
 
 #include "analysis/base/facts.h"
 
-/** The number of the array with this base, or -1. Scattered arrays are not found. */
+/** The number of the array with this base, or -1. Arrays whose rows are reached through pointers in
+ * memory (scattered) are not found. */
 int loop_array_of_base(const loop_facts *facts, const ir_node *node);
 /** The first update that this statement makes, or NULL. */
 const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement);
 /** The forwarded store (read again in the same iteration) of this statement, or NULL. */
 const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement);
-/** The number of the iteration's own element that this node names, or -1. */
+/** The number of the own element (one that no other iteration touches) that this node names, or
+ * -1. */
 int own_element_at(const loop_facts *facts, const ir_node *node);
 /** The number of this statement's scalar update, or -1. */
 int scalar_update_at(const loop_facts *facts, const ir_node *statement);
@@ -40,7 +42,8 @@ bool counter_outlives(const loop_facts *facts);
  * iterations assign? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
-/** Does the loop have live-out or stepped variables? */
+/** Does the loop have live-out variables, or variables that are stepped by a constant per
+ * iteration? */
 bool leaves_variables(const loop_facts *facts);
 /** Does the loop have results other than updates of arrays: live-out or stepped variables,
  * scalars, or own elements? */

@@ -9,7 +9,7 @@
  * numbers of threads; in rounding from run to run (REDCC_ORDER_... of the runtime). */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
-/** Which loops shall execute several iterations at once, if possible. */
+/** The loops that shall execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
     LANES_OF_HEAVY, /* loops with long iterations */

@@ -54,7 +54,7 @@ typedef struct execution_plan {
     result_order order;            /* the order that the results keep */
 } execution_plan;
 
-/** base[subscript]: both are variables of the loop's function. */
+/** An indexed load base[subscript]; both are variables of the loop's function. */
 typedef struct gather {
     const ir_variable *base, *subscript;
 } gather;
@@ -82,7 +82,8 @@ typedef struct loop_plan {
     const logged_source *sources;
     const int *source_number;   /* by source of the facts: index in sources, or SOURCE_NOT_LOGGED */
     const bool *has_ready_base; /* by source of the facts: may its base be read before the loop? */
-    const bool *is_shadowed;    /* for each array: a pointer of its name replaces it in the body */
+    const bool *is_shadowed;    /* for each array: does a pointer of the same name replace it in the
+                                 * body? */
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;

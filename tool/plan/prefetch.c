@@ -77,7 +77,8 @@ static bool is_new_call(gather_search *search, const frame *in) {
     const void **key = arena_allocate(search->arena, length);
     bool has_variable = false;
     key[0] = in->function;
-    key[1] = (const char *)in->function + in->depth; /* deeper calls leave less depth to follow */
+    key[1] = (const char *)in->function + in->depth; /* the depth, because deeper calls are followed
+                                                      * less far */
     for (unsigned i = 0; i < count; i++) {
         key[i + 2] = resolve(in->caller, ir_child(in->call, i + 1));
         has_variable |= key[i + 2] != NULL;

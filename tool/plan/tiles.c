@@ -281,8 +281,8 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Adds the result of an operator to the address. Its type must have 64 bits, so that it wraps
- * around as addresses do, or must never wrap around. */
+/** Adds the result of an operator to the address. The result's type must have 64 bits, so that it
+ * wraps around as addresses do, or must never wrap around. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
     if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))

@@ -19,9 +19,9 @@
  * bytes of elements i and j only, and j >= i. It reads nothing else that the loop writes: no array
  * (the overlap guard), and no variable of an earlier pair (fresh.h). So it suffices that pairs that
  * share an element e keep their order. Pairs that update e are (r, e) with r <= e, and (e, c) with
- * c >= e; the loop executes the former by ascending r, and then the latter by ascending c. Of two
- * of these pairs, the earlier one has neither a greater row nor a greater column. So it is in the
- * same tile, where rows and columns keep their order, or in a preceding tile. If columns are below
+ * c >= e; the loop executes the former by ascending r, and then the latter by ascending c. The
+ * earlier of two such pairs has neither a greater row nor a greater column. So it is in the same
+ * tile, where rows and columns keep their order, or in a preceding tile. If columns are below
  * their rows, j <= i, pairs (e, c) come first, by ascending c, and then (r, e) by ascending r;
  * again neither row nor column ever decreases.
  *

@@ -16,7 +16,7 @@
 
 enum {
     MOST_ITERATIONS = 16, /* as in REDCC_UNROLLED of redcc/loop.h */
-    /* numbers of IR nodes, after unrolling: */
+    /* numbers of nodes of the tree (IR), after unrolling: */
     MOST_COMPUTED = 12000,   /* a triangle's force derivatives, 9 blocks of 3 x 3, have 11,700 */
     MOST_LANE_UPDATES = 600, /* one such block; more is slow to compile, and hardly faster */
     MOST_BODY = 300          /* such a body is compiled twice: with owner checks and without */

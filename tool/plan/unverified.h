@@ -31,7 +31,8 @@ typedef struct unverified_reads {
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
 } unverified_reads;
 
-/** By source: may it overlap the loop's writes, according to the analysis? */
+/** For each source: may it overlap the loop's writes, according to the analysis? Indexed as
+ * facts->sources. */
 bool *guarded_sources(const loop_plan *plan);
 
 /** Is any source marked? */

@@ -7,8 +7,8 @@
 #include "plan/lookup.h"
 
 enum {
-    EXPENSIVE = 8,    /* a floating-point division, or a call with a floating result */
-    UNKNOWN_TRIP = 4, /* iterations of an inner loop with an unknown trip count */
+    EXPENSIVE = 8,    /* cost of a floating-point division, or of a call with a floating result */
+    UNKNOWN_TRIP = 4, /* assumed iterations of an inner loop with an unknown trip count */
     MOST_DEPTH = 8,   /* nesting depth of calls */
     MOST_WORK = 10000 /* counting stops here */
 };

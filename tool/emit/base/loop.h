@@ -14,15 +14,15 @@
 
 /** The names of a reduction array in the generated text. */
 typedef struct array_text {
-    const char *base;  /* the user's own expression: `b`, `s->b` */
-    const char *local; /* its name in the executor: the user's name, which a pointer shadows, or
-                        * another that replaces the user's bytes. `base` and `local` are NULL for
-                        * an array whose elements are scattered */
+    const char *base;       /* the user's own expression: `b`, `s->b` */
+    const char *local;      /* the array's name in the executor: the user's name, which a pointer
+                             * shadows, or another that replaces the user's bytes. `base` and `local` are
+                             * NULL if the rows are scattered: reached through pointers in memory */
     const char *declarator; /* `local`, marked as a declarator (origin.h) */
     bool is_shadowed;
 } array_text;
 
-/** A function for several iterations at once (emit/lanes/lanes.c). */
+/** A function for several iterations at once, called lanes (emit/lanes/lanes.c). */
 typedef struct lanes_text {
     bool is_wanted;   /* the loop is being written with such a function */
     const char *name; /* NULL: none */
@@ -55,7 +55,7 @@ typedef struct loop_text {
     const char *obstacle; /* the first reason why the loop cannot be written; NULL: none so far */
     ir_range obstacle_range;
 
-    const array_text *arrays; /* indexed as facts->arrays */
+    const array_text *arrays; /* same indices as facts->arrays */
     const char *counter_type; /* its spelling in a declaration or cast of the counter */
 
     bool is_unfused; /* contraction is turned off in the loop's functions and its block */

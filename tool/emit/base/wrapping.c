@@ -19,7 +19,8 @@ static bool is_integer(const ir_node *node) {
     return node->type && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-/** Does the operator on unsigned operands give the signed result whenever that is defined? */
+/** Does the operator on unsigned operands give the signed result whenever the signed result is
+ * defined? */
 static bool wraps_around(ir_operator op) {
     return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY ||
            op == IR_OP_SHIFT_LEFT;

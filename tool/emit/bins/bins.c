@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Writes a loop's form for in-order binning (docs/methods.md), with the macros of redcc/bins.h. */
+/** Writes a loop's form for in-order binning (plan/bins.h explains records, streams, nests and
+ * spans), with the macros of redcc/bins.h. */
 #include "emit/bins/bins.h"
 
 #include <assert.h>
@@ -303,8 +304,8 @@ static unsigned tag_bits(const bins_stream *stream) {
     return bits;
 }
 
-/** The part of an apply function that makes the updates: declarations of the elements of the second
- *  and further arrays; then the updates, selected by the record's tag. */
+/** The part of an apply function that makes the updates: declarations of the elements of the
+ * stream's second and further arrays; then the updates, selected by the record's tag. */
 static const char *updates_text(loop_text *loop, unsigned stream) {
     const bins_plan *bins = loop->bins;
     const bins_stream *its = &bins->streams[stream];
@@ -340,7 +341,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
-/** May a record make several updates of a float, with rounding to float after each? */
+/** Can a record stand for several updates of a float, each of which rounds to float? */
 static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
     bool has_floats = false;
     for (unsigned i = 0; i < stream->array_count; i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Writes the form for in-order binning (docs/methods.md): text for a loop's body and
- * description. */
+/** Writes the form for in-order binning, which plan/bins.h explains: text for a loop's body and for
+ * its description. */
 #ifndef EMIT_BINS_BINS_H
 #define EMIT_BINS_BINS_H
 
@@ -11,7 +11,7 @@
 const char *bins_kind_text(value_kind kind);
 /** The type of a stream's records; NULL: they have no values. */
 const char *bins_record_name(loop_text *loop, unsigned stream);
-/** The text before an update whose element has this address; `name` spells variables. */
+/** The text before an update of the element at `address`; `name` spells variables. */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name);
 /** The text before an inner loop that appends one record for the loop (a nest or a span); NULL:

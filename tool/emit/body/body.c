@@ -242,7 +242,8 @@ static void choose_noted(body_copy *copy, const ir_node *node) {
         choose_noted(copy, node->children[i]);
 }
 
-/** Prints statements with calls of accessors: such a call is written as the element it returns. */
+/** Prints statements with calls of accessors (functions that return an element): each call is
+ * written as that element. */
 static void choose_accessors(body_copy *copy, const ir_node *node) {
     if (node->flags & IR_FROM_CALL)
         print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
@@ -369,8 +370,8 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
-/** Prints statements around dead code that a macro made: dropping the dead code edits bytes, which
- * is impossible there, and it may name variables that the copy does not get. */
+/** Dead code in a macro's expansion cannot be dropped by editing bytes, and may name variables that
+ * the copy does not get. So this prints the statement around it. */
 static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
     if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
         print_instead(copy, node->parent);
@@ -413,7 +414,7 @@ static const char *copied_text(body_copy *copy) {
     clip_columns(copy);
     check_owners(copy);
     leave_columns(copy);
-    if (!loop->lanes.is_wanted) /* with lanes, their code is unrolled instead */
+    if (!loop->lanes.is_wanted) /* with lanes, the code for lanes is unrolled instead */
         unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);

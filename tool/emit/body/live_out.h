@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Live-out private variables. */
+/** Live-out private variables: those whose values are used after the loop. */
 #ifndef EMIT_BODY_LIVE_OUT_H
 #define EMIT_BODY_LIVE_OUT_H
 

@@ -112,7 +112,9 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
     }
     if (number)
         return arena_format(a, "(const char *)(%s)", number);
-    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
+    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* without the cast
+                                                                         * compilers would warn
+                                                                         * about the qualifier */
     return arena_format(a, "%s&%s", plain, log_row_text(self, row));
 }
 

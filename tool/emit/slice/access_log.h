@@ -50,7 +50,8 @@ const char *inspector_note_variable(const ir_node *node, void *context);
  * defines a pointer only within its object. `counter`: the counter of a span around the row, or
  * NULL. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
-/** The row as the slice spells it, with variables in place of stored values. */
+/** The row as the slice spells it, with the variables that replace forwarded stores and own
+ * elements. */
 const char *log_row_text(inspector *self, const ir_node *row);
 
 /** Logs an update of a row of array `number` (`is_update`), or a read of one of source `number`.

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Hulls (analysis/loop/hulls.h): while a thread classifies iterations, some loops of the slice
- * visit only their first and last iterations. Writes the macros around and inside of such loops. */
+/** Hulls (analysis/loop/hulls.h): the hull of a loop's accesses is the range from the lowest to the
+ * highest address. While a thread classifies iterations, some loops of the slice visit only their
+ * first and last iterations. Writes the macros around and inside of such loops. */
 #ifndef EMIT_SLICE_HULL_H
 #define EMIT_SLICE_HULL_H
 
