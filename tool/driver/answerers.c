@@ -42,8 +42,8 @@ bool answerers_options_are_plain(const word_list *options) {
 
 /* ---- the compiler ---------------------------------------------------------------------------- */
 
-/* Adds the programs that run when the compiler is called: launchers (ccache), and the compiler
- * itself. */
+/* Adds to the digest the programs that run when the compiler is called: launchers (ccache), and the
+ * compiler itself. */
 static bool add_programs(session *s, const store *kept, digester *d) {
     const word_list *words = &s->real.words;
     unsigned i = 0;
@@ -85,8 +85,8 @@ static const char *ask_compiler(session *s, const store *kept, const digest *of_
     return text;
 }
 
-/* Adds the folders in the output of -v, whatever its language, including nonexistent ones. Other
- * paths in the output may be added as well. */
+/* Adds to `folders` the folders in the output of -v, in any language, including nonexistent ones.
+ * Other paths in the output may be added as well. */
 static void add_printed_folders(arena *a, const char *text, word_list *folders) {
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t end = strcspn(line, "\n");
@@ -98,7 +98,8 @@ static void add_printed_folders(arena *a, const char *text, word_list *folders) 
     }
 }
 
-/* Adds the loader's cache: if it changes, names of shared libraries may lead to other files. */
+/* Adds the loader's cache to the digest: if it changes, names of shared libraries may lead to other
+ * files. */
 static bool add_loader(session *s, const store *kept, digester *d) {
     static const char path[] = "/etc/ld.so.cache";
     word_list files = {0};
@@ -226,8 +227,8 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* Adds the headers and folders that one item of the command names. NULL, or the reason why it
- * cannot be followed. */
+/* Adds to the request the headers and folders that one item of the command names. Returns NULL, or
+ * the reason why the item cannot be followed. */
 static const char *add_of_item(session *s, closure_request *request, const item *one) {
     static const char *const folders[] = {"-I", "-iquote", "-isystem", "-idirafter"};
     static const char *const files[] = {"-include", "-imacros"};

@@ -40,8 +40,8 @@ static void show_attempt(const session *s, const attempt *made) {
     file_show(made->error, stderr);
 }
 
-/* A signal to this process, or SIGINT or SIGTERM to the compiler, ends the build without another
- * attempt. */
+/* Was the run interrupted? A signal to this process, or SIGINT or SIGTERM to the compiler, ends the
+ * build without another attempt. */
 static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
 }
@@ -62,7 +62,7 @@ bool build_can_add_runtime(const session *s) {
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 
-/* Adds the runtime if a linked object has loops for it. Their references are weak, so a linker
+/* Adds the runtime if a linked object has loops for it. The loops refer to it weakly, so a linker
  * would not load it from the archive. */
 static void add_runtime(session *s, word_list *list, bool has_loops) {
     arena *a = s->memory;

@@ -20,7 +20,7 @@ struct totals {
     json_int_t never;   /* parallel loops that by default do not run in parallel */
     json_t *refused;    /* reason's id and slug -> number of loops */
     json_t *in_headers; /* keys of the loops in headers that have been counted */
-    json_t *reasons;    /* reason why a file was left alone -> number of files */
+    json_t *reasons;    /* reason why a file was compiled unchanged -> number of files */
 };
 
 static void count_one(json_t *counts, const char *text) {

@@ -200,8 +200,8 @@ static void keep(session *s, cached *c, const kept_answer *answer) {
     VECTOR_PUSH(s->memory, &c->fresh, *answer);
 }
 
-/* An answer that names this call's folder is invalid in the next call. The search looks only for
- * the last part of the name, because the rest may be written with backslashes. */
+/* Does the answer name this call's folder? Then it is invalid in the next call. The search looks
+ * only for the last part of the name, because the rest may be written with backslashes. */
 static bool names_folder(const session *s, const store_part *part) {
     const char *own = path_base(s->folder);
     return memmem(part->bytes, part->length, own, strlen(own)) != NULL;

@@ -38,7 +38,7 @@ typedef struct search {
     map *met;         /* pairs of a file and the folder in which it was found */
     map *names;       /* names already searched in all folders */
     map *below;       /* folders of paths: does each exist? */
-    uintptr_t count;  /* different files so far */
+    uintptr_t count;  /* number of different files so far */
 } search;
 
 static bool is_new(map *m, const char *key) {
@@ -80,7 +80,8 @@ static bool is_new_in_folder(search *s, const char *name, const struct stat *abo
     return is_first;
 }
 
-/* Adds an existing file: its name, contents and identity; and its includes. */
+/* Adds an existing file to the closure: its name, contents and identity, and the headers that it
+ * includes. */
 static void add_file(search *s, const char *name, int file) {
     struct stat about;
     if (fstat(file, &about) != 0 || (!S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode))) {
@@ -141,7 +142,7 @@ static bool folder_is_absent(search *s, const char *path) {
     return *known == (const void *)absent;
 }
 
-/* Adds a path that may hold a header. */
+/* Tries a path at which a header may be: adds the file if it exists. */
 static void try_path(search *s, const char *path) {
     if (s->found.unknown || folder_is_absent(s, path) || !is_new(s->tried, path))
         return;

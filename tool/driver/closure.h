@@ -19,7 +19,7 @@
 /** The starting points and the search path. */
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
-    const char *name;   /**< its name; its folder is searched for headers */
+    const char *name;   /** the source's name; its folder is searched for headers */
     word_list included; /**< the headers of -include and -imacros */
     word_list folders;  /**< the folders that are searched, in any order */
     word_list words;    /**< the command, which may define macros */

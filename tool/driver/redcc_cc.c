@@ -107,8 +107,8 @@ static bool reads_input(const command *c) {
     return false;
 }
 
-/* Is the output an input? The compiler refuses to overwrite its input, but that would be the
- * translated text. */
+/* Is the output also an input? The compiler would refuse to overwrite it, but cannot recognise it
+ * when it compiles the translated text instead. */
 static bool would_write_over_input(const command *c) {
     for (unsigned i = 0; c->output && i < c->count; i++)
         if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))

@@ -14,7 +14,7 @@ typedef struct session {
     installation tools;
     compiler real;       /**< the compiler */
     word_list given;     /**< its arguments as given */
-    command command;     /**< the same, parsed */
+    command command;     /** these arguments, parsed */
     word_list options;   /**< $REDCC_OPTS */
     bool contracts;      /**< --order=any: the compiler may contract multiply and add */
     bool show;           /**< --redcc-show: print the commands, run nothing */

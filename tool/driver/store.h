@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A folder of entries that processes share. Each is a file named after its key, written under a
- * temporary name and renamed, so that readers see a whole entry or none, without locks. A corrupt
+ * A folder of entries that processes share. Each entry is a file named after its key, written under
+ * a temporary name and renamed, so that readers see a whole entry or none, without locks. A corrupt
  * entry counts as missing.
  */
 #ifndef DRIVER_STORE_H

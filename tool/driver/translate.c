@@ -271,8 +271,8 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it tests which compiler this is (%s)", asked);
 }
 
-/* Shows the output of the user's own --report. The translator writes one kind of report: if the
- * build's report is written, it runs once more. */
+/* Shows the output of the user's own --report. The translator writes one kind of report in a run:
+ * if it has written the build's report, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
     if (t->report) {

@@ -83,7 +83,7 @@ static bool write_pages(const reports *r, const char *folder) {
     return good;
 }
 
-/* The pages are written to a new folder, which then replaces the old one. */
+/* Writes the pages to a new folder, which then replaces the old one. */
 static int write_folder(const reports *r, const char *folder) {
     arena *a = r->memory;
     struct stat about;
@@ -117,7 +117,7 @@ static int write_folder(const reports *r, const char *folder) {
     return status;
 }
 
-/* The reports that the environment names. */
+/* Sets `paths` to the reports that the environment names, and returns their number. */
 static unsigned files_of_environment(char **paths) {
     char *build = getenv("REDCC_BUILD_REPORT"), *run = getenv("REDCC_REPORT");
     unsigned count = 0;

@@ -7,7 +7,8 @@
 #include "html/pages.h"
 #include "html/text.h"
 
-/* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
+/* The text of docs/reasons.md: it has a section "## ID slug" for each reason, and "# ..." between
+ * groups of them. */
 extern const char reasons_text[];
 
 /* The section on a reason, in the arena; NULL: there is none. */

@@ -9,7 +9,8 @@
 #include "redcc/nearest.h"
 #include "support/buffer.h"
 
-/* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
+/* The text of docs/reasons.md: it has a section "## ID slug" for each reason, and "# ..." between
+ * groups of them. */
 extern const char reasons_text[];
 
 static const struct {

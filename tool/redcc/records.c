@@ -51,7 +51,7 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* Does no file have a record of the function? It is an inline definition, or no known source
+/* Is the function without a record? It is if it is an inline definition, or if no known source
  * defines it. Then the program may lack it, because the compiler may remove all its calls. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)

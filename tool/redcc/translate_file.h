@@ -9,7 +9,7 @@
 
 typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_status;
 
-/** Plain numbers, so that one process can pass them to another. */
+/** The result for one file: plain numbers, so that one process can pass them to another. */
 typedef struct file_outcome {
     file_status status;
     unsigned transformed;            /* the number of transformed loops */

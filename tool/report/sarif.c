@@ -27,7 +27,7 @@ static json_t *location(ir_position at) {
     json_object_set_new(artifact, "uri", uri(at.file));
     json_t *physical = json_object();
     json_object_set_new(physical, "artifactLocation", artifact);
-    if (at.line > 0) { /* regions begin at line 1 (3.30.5), but `#line 0` makes a line 0 */
+    if (at.line > 0) { /* regions begin at line 1 (section 3.30.5), but `#line 0` makes a line 0 */
         json_t *region = json_object();
         json_object_set_new(region, "startLine", json_integer(at.line));
         json_object_set_new(region, "startColumn", json_integer(at.column));
