@@ -314,7 +314,7 @@ static bool any_done(const bool *done, unsigned count) {
     return false;
 }
 
-/* Links: the objects of the translated texts replace their sources in the command. */
+/* Links the program: the objects of the translated texts replace their sources in the command. */
 static _Noreturn void build_linked(session *s, const translation *translations, const bool *done,
                                    unsigned count) {
     arena *a = s->memory;

@@ -103,8 +103,8 @@ static bool has_debugging_information(const command *c) {
     return false;
 }
 
-/* Other things that an object depends on: the assembler and, with debugging information, the folder
- * and its name in $PWD. False: they are unknown. */
+/* Sets *found to a digest of other things on which an object depends: the assembler and, with
+ * debugging information, the folder and its name in $PWD. False: they are unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();

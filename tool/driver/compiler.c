@@ -64,7 +64,8 @@ static bool names_compiler(arena *a, const char *word) {
            find_program(a, NULL, word, &skipped);
 }
 
-/* Launcher form: takes the compiler's name, and those of further launchers, from the words. */
+/* Takes the compiler's name, and those of launchers before it, from the words, if the first word is
+ * such a name (launcher form). */
 static void take_from_front(arena *a, const char *self, unsigned count, char *const *words,
                             compiler *c) {
     while (c->taken < count && names_compiler(a, words[c->taken])) {

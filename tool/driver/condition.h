@@ -6,7 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** __GNUC__ and __GNUC_MINOR__, and whether __clang__ is defined. */
+/** The macros that give the compiler's version: the values of __GNUC__ and __GNUC_MINOR__, and
+ * whether __clang__ is defined. */
 typedef struct condition_version {
     int major;
     int minor;

@@ -70,7 +70,7 @@ void lookups_spoil(lookups *l) {
     l->is_spoilt = true;
 }
 
-/* The folder before the name at the end of a path, and the name. */
+/* Returns the folder before the name at the end of a path, and sets *name. */
 static looked_folder *folder_of(lookups *l, const char *path, const char **name) {
     *name = path_base(path);
     const size_t length = (size_t)(*name - path);

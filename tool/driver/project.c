@@ -91,8 +91,8 @@ static const char *child_towards(arena *a, const char *root, const char *folder)
     return end ? arena_copy(a, folder, (size_t)(end - folder)) : folder;
 }
 
-/* The sources below the root. If there are too many, those below the outermost folder around the
- * source that does not have too many; else those in the source's own folder. */
+/* Lists the sources below the root. If there are too many, lists those below the outermost folder
+ * around the source that does not have too many; otherwise those in the source's own folder. */
 static word_list list_files(arena *a, const char *folder) {
     listing all = {.memory = a, .is_recursive = true};
     const char *root = root_of(a, folder);

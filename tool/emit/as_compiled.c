@@ -97,7 +97,7 @@ bool has_branches(const loop_text *loop) {
     return false;
 }
 
-/** For each group of conditional directives (#if to #endif), copies those up to the branch that
+/** Copies from each group of conditional directives (#if to #endif) those up to the branch that
  * this compilation takes, without the #endif. The copied groups are therefore nested. The
  * definition of redcc__as_compiled, in the innermost one, is reached only if all conditions
  * evaluate as in this compilation. */

@@ -222,8 +222,8 @@ static const char *flags_text(loop_text *loop) {
     return text ? text : "0";
 }
 
-/** The object contains the file's name as __FILE__, which compiler options can map, so that
- * packages built in different folders are identical. */
+/** Writes the static object for the loop. It contains the file's name as __FILE__, which compiler
+ * options can map, so that packages built in different folders are identical. */
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};

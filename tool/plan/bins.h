@@ -95,10 +95,11 @@ typedef struct bins_plan {
     bins_record *records; /* in each stream in the order of the updates */
     unsigned stream_count;
     bins_stream *streams;
-    int64_t *row_bytes; /* by array: the size of a row, which is an element or adjacent elements */
+    int64_t *row_bytes; /* indexed by array: bytes of a row, which is an element or adjacent
+                         * elements */
     bool has_nests;
-    bins_nest *nests;         /* by update number: its nest, if it has one */
-    bins_span *spans;         /* by update number: its span, if it has one */
+    bins_nest *nests;         /* indexed by update number: its nest, if it has one */
+    bins_span *spans;         /* indexed by update number: its span, if it has one */
     uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute */
     uint32_t varied_sources;  /* subset of guarded_sources: those to which later iterations of a
                                * chunk may add reads */

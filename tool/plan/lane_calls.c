@@ -49,8 +49,8 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
            lane_is_real(call->type) && call->child_count > 1;
 }
 
-/** Numbers of calls per iteration, counted through functions of the file to those without a body
- * there. */
+/** Numbers of calls per iteration of functions without a body in the file. Calls in the bodies of
+ * called functions are included. */
 typedef struct calls {
     int64_t failing;     /* calls that may set errno */
     int64_t by_lane;     /* calls without a vector form */

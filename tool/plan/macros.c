@@ -32,7 +32,8 @@ static const char *skip_comment(const char *at, const char *end) {
     return end;
 }
 
-/** Predefined macros that generated text uses intentionally (emit/body, redcc/loop.h). */
+/** Is the word a predefined macro that generated text uses intentionally (emit/body,
+ * redcc/loop.h)? */
 static bool is_meant(const char *word, size_t length) {
     static const char *const meant[] = {"__ATOMIC_RELAXED", "__ATOMIC_ACQUIRE"};
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)

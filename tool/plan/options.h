@@ -24,8 +24,8 @@ typedef struct plan_options {
                              * that functions of other files are those that were analysed; NULL: no
                              * loop depends on other files */
     lanes_wish lanes;
-    const unsigned char *no_lanes; /* by verdict, 1: write no form for several iterations at once;
-                                    * NULL: 0 for all verdicts */
+    const unsigned char *no_lanes; /* indexed by verdict; 1: write no form for several iterations at
+                                    * once; NULL: all are 0 */
 } plan_options;
 
 #endif

@@ -80,8 +80,8 @@ typedef struct loop_plan {
 
     unsigned source_count;
     const logged_source *sources;
-    const int *source_number;   /* by source of the facts: index in sources, or SOURCE_NOT_LOGGED */
-    const bool *has_ready_base; /* by source of the facts: may its base be read before the loop? */
+    const int *source_number;   /* per facts->sources[i]: index in sources, or SOURCE_NOT_LOGGED */
+    const bool *has_ready_base; /* per facts->sources[i]: may its base be read before the loop? */
     const bool *is_shadowed;    /* for each array: does a pointer of the same name replace it in the
                                  * body? */
     dependence_precheck precheck;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The dependence pre-check. The inspector reads before the loop what the loop reads while it runs:
- * in
+ * The dependence pre-check. The inspector reads before the loop what the loop reads while it runs.
+ * For the loop body
  *
  *     h[s[t]] += f(t);
  *     g[map[k[t]]] += 1;

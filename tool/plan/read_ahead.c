@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Before the first iteration, the generated text evaluates bases of arrays, first and last rows,
- * and keys. These must be expressions that the loop evaluates anyway if it iterates: in
+ * and keys. These must be expressions that the loop evaluates anyway if it iterates. If its body is
  *
  *     if (s) s->b[k[t]] += 1;
  *
- * `s->b` may not be read ahead. An expression can fail if it reads through a pointer or divides;
- * each such part must occur in the loop's header, or in its body on a path that every first
- * iteration takes.
+ * then `s->b` may not be read ahead. An expression can fail if it reads through a pointer or
+ * divides; each such part must occur in the loop's header, or in its body on a path that every
+ * first iteration takes.
  */
 #include "plan/read_ahead.h"
 

@@ -17,8 +17,8 @@
 
 typedef struct unverified_reads {
     const loop_plan *plan;
-    const bool *is_suspect; /* by source: its contents may be unverified */
-    bool *is_unverified;    /* by variable: it may hold an unverified value */
+    const bool *is_suspect; /* per facts->sources[i]: its contents may be unverified */
+    bool *is_unverified;    /* indexed by variable: it may hold an unverified value */
     bool changed;           /* this pass has marked a variable */
     bool is_harmful;        /* result of unverified_check (unverified_uses.h) */
     bool in_callee;         /* the body of a called function is being checked */

@@ -173,7 +173,8 @@ static void report_command(unsigned number, void *result, void *context) {
 /* ---- all of them ---------------------------------------------------------------------------- */
 
 static void add_left(counting *c, const command_outcome *outcome) {
-    /* errors in the source have another message in each file: they are counted together */
+    /* the message of an error in a source differs from file to file, so these errors are counted
+     * together */
     const char *why =
         strncmp(outcome->why, "redcc: ", 7) == 0 ? "redcc cannot read it" : outcome->why;
     build_counts *counts = c->counts;

@@ -17,7 +17,8 @@ typedef struct header_use {
 typedef VECTOR(header_use) header_uses;
 
 /** The headers with refused loops (R518) whose text may replace their directives, in the source's
- * order: included once in all, directly, and with a text that means the same there. */
+ * order. Such a header is included only once, by the source itself, and its text means the same in
+ * the source. */
 header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
 
 /** The source of `unit` with the text of these headers in place of their directives. #line

@@ -22,7 +22,7 @@ typedef struct report_input {
     const analysis_result *analysis;
     const char *version;       /* version of redcc */
     const char *order;         /* value of --order */
-    const lanes_remark *lanes; /* by verdict; NULL: such a form was requested for no loop */
+    const lanes_remark *lanes; /* indexed by verdict; NULL: such a form was requested for no loop */
     bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */

@@ -32,11 +32,11 @@ typedef struct lanes_text {
 
 /** Slice and body as separate functions (outline.c). */
 typedef struct outline_text {
-    bool possible;                      /* cleared when an obstacle is found */
-    bool *is_passed;                    /* by variable: is it passed to slice or body? */
-    const char **by_address;            /* by variable: the text that replaces its name, or NULL */
-    const char *text;                   /* slice, body and each thread's last statements; the
-                                         * context must pass the values that they name */
+    bool possible;           /* cleared when an obstacle is found */
+    bool *is_passed;         /* indexed by variable: is it passed to slice or body? */
+    const char **by_address; /* indexed by variable: the text that replaces its name, or NULL */
+    const char *text;        /* slice, body and each thread's last statements; the
+                              * context must pass the values that they name */
     const char *slice_call, *body_call; /* the calls for iteration redcc__k */
     const char *reads_call; /* call that replaces slice_call while records are appended (bins);
                              * NULL: none */

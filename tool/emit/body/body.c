@@ -286,8 +286,9 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** Only plain iterations and tiles have unrolled loops with updates. Unrolling the other forms
- * would be slow to compile. So there the step hides the counter's value from the compiler. */
+/** Makes the loop's step hide the counter's value from the compiler, except in plain iterations and
+ * in tiles. Otherwise compilers would unroll loops with updates in the other forms, too, which
+ * would be slow to compile. */
 static void keep_others_rolled(body_copy *copy, const ir_node *node) {
     const ir_node *step = node->children[2];
     const char *const text = copy->loop->unit->source->text;
@@ -370,8 +371,8 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
-/** Dead code in a macro's expansion cannot be dropped by editing bytes, and may name variables that
- * the copy does not get. So this prints the statement around it. */
+/** Prints the statements around dead code in a macro's expansion. Such dead code cannot be dropped
+ * by editing bytes, and may name variables that the copy does not get. */
 static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
     if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
         print_instead(copy, node->parent);

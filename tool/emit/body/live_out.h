@@ -9,7 +9,7 @@
 void declare_live_outs(loop_text *loop, writer *out);
 /** Writes code that stores these values in the last iteration. */
 void note_live_outs(loop_text *loop, writer *out);
-/** After the loop: copies the values to the variables. */
+/** Writes, after the loop, code that copies the values to the variables. */
 void take_live_outs(loop_text *loop, writer *out);
 
 /** Declares, for each variable that only some iterations assign, storage for the value that the
@@ -20,7 +20,7 @@ void declare_conditional_live_outs(loop_text *loop, writer *out);
 void write_note(loop_text *loop, writer *out, unsigned number);
 /** Writes, at a thread's end, code that merges its values into the storage. */
 void write_last_notes(loop_text *loop, writer *out);
-/** After the loop: copies the values to the variables. */
+/** Writes, after the loop, code that copies the values to the variables. */
 void take_conditional_live_outs(loop_text *loop, writer *out);
 
 #endif

@@ -27,7 +27,7 @@ typedef struct vectoriser {
     writer *front; /* vector forms of called functions, inserted before the current function */
     writer *out;
     unsigned depth;        /* nesting depth of calls */
-    bool *is_kept;         /* by variable: some lanes keep its old value */
+    bool *is_kept;         /* indexed by variable: some lanes keep its old value */
     const char *mask;      /* the lanes that execute the current code; NULL: all */
     const ir_node *region; /* code under the mask's condition; NULL: inactive lanes have ended */
     bool may_be_none;      /* the current code may be executed without any active lane */

@@ -22,9 +22,9 @@ typedef VECTOR(logged_row) row_list;
 typedef struct inspector {
     printer printer; /* first: the printer's hook reaches the other fields through it */
     loop_text *loop;
-    bool *update_logged;   /* by update: is it logged? */
-    bool *source_logged;   /* by index in facts->sources: is it logged? */
-    bool *is_mentioned;    /* by variable: is it named in the printed text? */
+    bool *update_logged;   /* indexed by update: is it logged? */
+    bool *source_logged;   /* per facts->sources[i]: is it logged? */
+    bool *is_mentioned;    /* indexed by variable: is it named in the printed text? */
     bool is_unconditional; /* the current code may be evaluated when the program does not */
     unsigned loop_count;   /* number of loops of a called function around the current code */
     const source_loop *loops;

@@ -9,8 +9,8 @@ typedef struct printer printer;
 struct printer {
     arena *arena;
     writer *out;
-    const bool *keep;   /* by node id: the parts to print; NULL: everything. Parts under omitted
-                         * control statements are printed as if executed once */
+    const bool *keep;   /* indexed by node id: the parts to print; NULL: everything. Parts under
+                         * omitted   control statements are printed as if executed once */
     ir_c_rename rename; /* as in ir_c_expression */
     void *context;
     /** Called before each statement, kept or not; true: it is skipped. Also called, with the result
