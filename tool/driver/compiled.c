@@ -86,7 +86,7 @@ static bool has_option(const command *c, const char *word) {
     return false;
 }
 
-/* The output of the command's -c; NULL: it has another, or none. */
+/* The object that the command's -c writes; NULL: the command has another output, or none. */
 static const char *object_of_command(session *s, const translation *t) {
     if (!has_option(&s->command, "-c") || has_option(&s->command, "-S"))
         return NULL;

@@ -256,8 +256,8 @@ static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_resul
     }
 }
 
-/** Joins prelude, unchanged bytes and pieces to the whole file; sets the pieces' positions in
- * it. */
+/** Joins the prelude, the unchanged bytes and the pieces into the whole file; sets the pieces'
+ * positions in it. */
 static void join(arena *a, const ir_unit *unit, contraction where, const plan_options *options,
                  bool has_lanes, loop_list *loops, emit_result *result) {
     const source *s = unit->source;

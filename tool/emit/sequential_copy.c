@@ -59,8 +59,8 @@ const char *replaced_condition(loop_text *loop) {
 void write_team(loop_text *loop, writer *out) {
     const char *threads =
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
-    /* With sections, the order of the loop's results must not depend on an `if` clause. If its
-     * condition is false, 1 thread executes the loop in the same order. */
+    /* With sections, the order of the loop's results must not depend on an `if` clause. If the
+     * clause's condition is false, one thread executes the loop in the same order. */
     const char *condition = loop->plan->execution.sections ? expression_of(loop, OPENMP_IF) : NULL;
     if (condition)
         threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");

@@ -108,7 +108,8 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
-/** Classifies a few iterations in order, each with its counter's value. None of them ends early. */
+/** Classifies a few iterations in order, each with its counter's value. Requires that no iteration
+ * ends early. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
     finding found = FRESH;

@@ -28,7 +28,7 @@ lane_reason plan_lanes(const loop_plan *plan) {
     if (!facts->inspector.exists)
         return NO_LANES_INSPECTOR;
     if (leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits ||
-        plan_has_leaders(plan)) /* skipped inner iterations may set errno */
+        plan_has_leaders(plan)) /* a leader is needed, for example, if skipped code may set errno */
         return NO_LANES_OTHER_VALUES;
     if (plan->options->order == ORDER_ANY)
         return NO_LANES_ANY_ORDER;

@@ -14,8 +14,8 @@
 
 /** How a moved function gets a variable. */
 typedef enum passing {
-    NOT_PASSED,        /* not needed: it is declared inside, replaced by a parameter, or visible
-                        * there */
+    NOT_PASSED,        /* not needed: declared inside, replaced by a parameter, or visible to the
+                        * moved function */
     PASSED_BY_VALUE,   /* by value, as a parameter */
     PASSED_BY_ADDRESS, /* by a pointer that replaces its name */
     CANNOT_BE_PASSED

@@ -74,9 +74,10 @@ typedef struct loop_plan {
     const ir_unit *unit;  /* the same without branches that this compilation never takes */
     const loop_facts *facts;
     const plan_options *options;
-    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
-                      * obstacle is_shadowed and the fields after `precheck` may be unset. id:
-                      * REASON_INDEX_EXPENSIVE if only bins could execute the loop; else NONE */
+    reason obstacle; /* why the loop cannot be written in any form; the message is NULL if it can.
+                      * With an obstacle, is_shadowed and the fields after `precheck` may be unset.
+                      * The id is REASON_INDEX_EXPENSIVE if only bins could execute the loop,
+                      * otherwise NONE */
 
     unsigned source_count;
     const logged_source *sources;

@@ -205,9 +205,9 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
-/** The macro's arguments for an element of a scattered array, which has no base: first the address
- * of the pointer to the element's row, or 0 if there is none, since that pointer may be an
- * unverified value; then the element's address. */
+/** The macro's arguments for an element of a scattered array, which has no base: the address of the
+ * pointer to the element's row (0: there is no such pointer), and the element's address. The macro
+ * checks the former, because the pointer may be an unverified value. */
 static const char *place_behind(loop_text *loop, const reduction_update *update,
                                 const char *address, ir_c_rename name) {
     const ir_node *load = row_load_of(loop->facts, update);
