@@ -208,7 +208,7 @@ static bool names_folder(const session *s, const store_part *part) {
 }
 
 /* Does the run's answer depend only on its inputs? If a translator fails, the cause may be
- * temporary (a full disk), except if it cannot parse the source. */
+ * temporary (a full disk), unless the translator cannot parse the source. */
 static bool is_lasting(session *s, const cached_run *run, int status) {
     if (status != 1 || run->program != CACHE_TRANSLATOR)
         return status == 0;

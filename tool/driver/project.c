@@ -117,7 +117,7 @@ typedef struct scanner {
     const char *at, *end;
     project_file *file;
     project_function *function; /* the function whose body is being read; NULL: none */
-    int braces, parentheses;    /* the numbers of open ones */
+    int braces, parentheses;    /* numbers of open braces and parentheses */
     const char *name;           /* outside of bodies: the word before a declaration's first '(' */
     bool is_static,
         is_called; /* outside of bodies: was `static` read? are the parentheses closed? */

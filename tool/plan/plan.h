@@ -89,7 +89,7 @@ typedef struct loop_plan {
     execution_plan execution;
     prefetch_plan prefetch;
     const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none */
-    const char *no_bins;          /* the reason why there is none */
+    const char *no_bins;          /* the reason why there are no bins */
     lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;
     const struct inner_skip *skips; /* for each inner loop (inner_iterations.h) */

@@ -7,8 +7,8 @@
 #include "emit/base/loop.h"
 
 /** The text of a signed sum, difference, product, negation or left shift that wraps around, as a
- *  primary expression. NULL: the node is none of these, or cannot be spelled. `rename` and its
- * context as in ir_c_expression. */
+ * primary expression. NULL: the node is none of these, or cannot be spelled. `rename` and `context`
+ * are passed to ir_c_expression. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
 
 /** The address as a number of type redcc_size; NULL: it cannot be spelled. `counter`: the counter
