@@ -26,7 +26,7 @@ typedef struct written_loop {
     bool has_lanes;      /* the loop has the optional form for several iterations at once */
     ir_range replaced;   /* bytes of the input */
     uint32_t begin, end; /* bytes of the result that replace them */
-    const char *text;    /* those bytes */
+    const char *text;    /* bytes [begin, end) of the result */
     ir_range copied;     /* if the piece precedes a function: the range of the user's body */
     origin_list origins; /* origins of its words (origin.h); offsets are relative to `begin` */
 } written_loop;

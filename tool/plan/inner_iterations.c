@@ -352,8 +352,8 @@ static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_varia
     return true;
 }
 
-/** Is the sum read only by updates outside of the inner loop, and is none of these elements read
- *  again? Adds the updates' rows. */
+/** Is the sum read only by updates outside of the inner loop, and are the elements that they update
+ * not read again? Adds the updates' rows. */
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum) {
     const reduction_update *update = loop_update_at(t->facts, node);
     if (update && expression_mentions(node, sum))

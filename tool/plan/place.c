@@ -81,8 +81,8 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     return found;
 }
 
-/** Is there a pragma, other than redcc's, in bytes [begin, end)? It may apply to the text after it,
- *  unless it names what it applies to. */
+/** Is there a pragma, other than redcc's, in bytes [begin, end)? Such a pragma may apply to the
+ * text after it, unless it names what it applies to. */
 static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];

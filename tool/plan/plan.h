@@ -71,7 +71,7 @@ typedef struct prefetch_plan {
 typedef struct loop_plan {
     arena *arena;         /* owns the plan */
     const ir_unit *whole; /* all code of the file */
-    const ir_unit *unit;  /* the same without branches that this compilation never takes */
+    const ir_unit *unit;  /* the file without branches that this compilation never takes */
     const loop_facts *facts;
     const plan_options *options;
     reason obstacle; /* why the loop cannot be written in any form; the message is NULL if it can.

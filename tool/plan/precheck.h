@@ -6,8 +6,8 @@
  *     h[s[t]] += f(t);
  *     g[map[k[t]]] += 1;
  *
- * it reads map[k[t]] with the initial value of k[t]. If k overlaps h, the guard detects that, but
- * k[t] may be an invalid subscript of map until an earlier iteration has set it.
+ * the inspector reads map[k[t]] with the initial value of k[t]. If k overlaps h, the guard detects
+ * that, but k[t] may be an invalid subscript of map until an earlier iteration has set it.
  *
  * So, if the analysis cannot prove that k and h are disjoint, and unverified values would be
  * harmful (unverified.h), one thread first logs all iterations in order. It stops at the first

@@ -22,8 +22,8 @@ typedef struct unverified_reads {
     bool changed;           /* this pass has marked a variable */
     bool is_harmful;        /* result of unverified_check (unverified_uses.h) */
     bool in_callee;         /* the body of a called function is being checked */
-    bool is_typed;          /* in_callee: only memory of the sources' types is unverified,
-                             * not all memory */
+    bool is_typed;          /* if in_callee: only memory of the sources' types is unverified, not
+                             * all memory */
     bool in_slice;          /* the slice is being checked: all its reads are sources */
     bool may_have_left;     /* under an unverified condition, a preceding jump may have left
                              * the iteration */

@@ -47,8 +47,8 @@ static uint32_t place_before(const emit_result *written, uint32_t offset) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** Is the declaration named? libclang names others by a text with their position, in
- *  parentheses. */
+/** Does the declaration have a name? libclang names a nameless one by a text with its position, in
+ * parentheses. */
 static bool has_name(const ir_declared *declared) {
     return declared->name[0] && !strchr(declared->name, '(');
 }

@@ -62,7 +62,7 @@ static bool directive_fits(arena *a, const ir_directive *directive, bool is_besi
     return false;
 }
 
-/* Does the text before `end` end with a declaration? The name of a macro there might otherwise find
+/* Does the text before `end` end with a declaration? Otherwise a macro's name at its end might find
  * its arguments after the directive. */
 static bool ends_with_declaration(const char *text, uint32_t end, const ir_directive *directives,
                                   unsigned count) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The meaning of gcc's and clang's options for the translator and the compiler wrapper: one sorted
- *  table, for options after `--`, from compile_commands.json and through redcc-cc. */
+/** The meaning of gcc's and clang's options for the translator, which gets options after `--` and
+ * from compile_commands.json, and for redcc-cc, the compiler wrapper. There is one sorted table. */
 #ifndef SUPPORT_COMPILER_OPTIONS_H
 #define SUPPORT_COMPILER_OPTIONS_H
 

@@ -48,7 +48,7 @@ typedef struct outline_text {
 typedef struct loop_text {
     arena *arena;
     const ir_unit *whole; /* all code of the file */
-    const ir_unit *unit;  /* the same without skipped branches in its loops (as_compiled.h) */
+    const ir_unit *unit;  /* the file without the skipped branches in its loops (as_compiled.h) */
     const loop_facts *facts;
     const loop_plan *plan;
     const plan_options *options;

@@ -54,8 +54,8 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
  * elements. */
 const char *log_row_text(inspector *self, const ir_node *row);
 
-/** Logs an update of a row of array `number` (`is_update`), or a read of one of source `number`.
- *  `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
+/** Logs an update of a row of array `number` (`is_update`), or a read of a row of source `number`.
+ * `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
 /** The loop with constant bounds, inside the span and around `place`, that has this counter; NULL:
