@@ -57,7 +57,7 @@ static bool add_programs(session *s, const store *kept, digester *d) {
 }
 
 /* The compiler's output for these options. It is cached under `of_whom`, the compiler's identity,
- * because no source can affect it. NULL: the compiler fails. */
+ * because no source can affect it. Returns NULL if the compiler fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;

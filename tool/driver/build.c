@@ -129,8 +129,8 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
     add_runtime(s, list, true);
 }
 
-/* Adds the command that compiles one translated text to `object`; NULL: to the output that the
- * command's -c or -S has by default. */
+/* Adds the command that compiles one translated text to `object`. If `object` is NULL, the
+ * command's -c or -S has its default output. */
 static void add_alone(session *s, word_list *list, const translation *t, const char *object) {
     arena *a = s->memory;
     words_add_all(a, list, &s->real.words);

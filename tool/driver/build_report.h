@@ -12,7 +12,7 @@
 #include "support/arena.h"
 
 /** The file for the report of this build: $REDCC_BUILD_REPORT, else $REDCC_REPORT (then *by_run is
- *  set: the variable also names the run's report); NULL: none. */
+ * set: the variable also names the run's report), or NULL if there is none. */
 const char *build_report_file(bool *by_run);
 
 /** Appends the contents of a JSON file as one line, atomically, with a member "directory": the

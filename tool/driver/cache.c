@@ -26,7 +26,7 @@ struct cached {
     closure_request request;
     closure found;
     digest project;       /* digest of what is read about functions of other files */
-    const char *stranger; /* a file that was read but is not in the closure; NULL: none */
+    const char *stranger; /* a file that was read but is not in the closure, or NULL */
     digest asked;         /* key of the last run for which cached_restore was called */
     VECTOR(kept_answer) fresh;
 };
@@ -43,8 +43,8 @@ struct cache *cache_open(session *s) {
 
 /* ---- a source -------------------------------------------------------------------------------- */
 
-/* Reads the project's files, once for all of its sources. `key`: the key of all files in the store;
- * NULL: a file has just changed, so nothing is stored. */
+/* Reads the project's files, once for all of its sources. `key`: the key of all files in the store,
+ * or NULL if a file has just changed, so that nothing is stored. */
 static const project *project_of(session *s, const char *file, const word_list *list,
                                  const digest *key) {
     arena *a = s->memory;

@@ -26,7 +26,7 @@ typedef struct cached_run {
                               * the outputs */
     const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
-    const digest *beside;    /**< a digest of other things that the outputs depend on; NULL: none */
+    const digest *beside;    /** a digest of other things that the outputs depend on, or NULL */
 } cached_run;
 
 /** Opens the store and identifies the programs. NULL if nothing is to be cached. */
@@ -48,8 +48,8 @@ bool cached_restore(session *s, cached *c, const cached_run *run, int *status);
  * this status, if they depend on its inputs alone. */
 void cached_keep(session *s, cached *c, const cached_run *run, int status);
 
-/** Returns the cached text about the subject `about`, which depends on `words`. NULL: it is not in
- * the cache. */
+/** Returns the cached text about the subject `about`, which depends on `words`. Returns NULL if it
+ * is not in the cache. */
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words);
 
 /** Stores such a text (cached_text). */

@@ -26,7 +26,7 @@ typedef struct closure_request {
 } closure_request;
 
 typedef struct closure {
-    const char *unknown; /**< the reason why the closure is unknown; NULL: it is known */
+    const char *unknown; /** the reason why the closure is unknown, or NULL if it is known */
     digest state;        /** digest of names, contents, and of which names lead to the same file */
     map *files;          /**< devices and inodes of the files */
 } closure;

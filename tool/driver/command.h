@@ -32,8 +32,8 @@ typedef struct command {
     unsigned c_count;     /** number of inputs of kind INPUT_C */
     unsigned compiled;    /** number of inputs of kind INPUT_C or INPUT_COMPILE */
     unsigned linked;      /** number of inputs of kind INPUT_LINK, and of -l options */
-    const char *output;   /**< the argument of -o; NULL: there is none */
-    const char *language; /** the language set by the last -x; NULL: not set */
+    const char *output;   /** the argument of -o, or NULL */
+    const char *language; /** the language set by the last -x, or NULL */
     bool compiles;        /**< writes an object or assembler text for at least one input */
     bool links;
 } command;

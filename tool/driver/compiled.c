@@ -86,7 +86,7 @@ static bool has_option(const command *c, const char *word) {
     return false;
 }
 
-/* The object that the command's -c writes; NULL: the command has another output, or none. */
+/* The object that the command's -c writes, or NULL if the command has another output, or none. */
 static const char *object_of_command(session *s, const translation *t) {
     if (!has_option(&s->command, "-c") || has_option(&s->command, "-S"))
         return NULL;
@@ -104,7 +104,7 @@ static bool has_debugging_information(const command *c) {
 }
 
 /* Sets *found to a digest of other things on which an object depends: the assembler and, with
- * debugging information, the folder and its name in $PWD. False: they are unknown. */
+ * debugging information, the folder and its name in $PWD. Returns false if they are unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();

@@ -17,7 +17,7 @@ static bool is_self(const char *self, const char *path) {
 }
 
 /* The path that execvp would use for `name`, skipping entries that lead back to this program
- * (counted in *skipped); NULL: none. */
+ * (counted in *skipped), or NULL if there is none. */
 static const char *find_program(arena *a, const char *self, const char *name, unsigned *skipped) {
     if (strchr(name, '/')) {
         *skipped += is_self(self, name);
@@ -40,8 +40,8 @@ static const char *find_program(arena *a, const char *self, const char *name, un
     return NULL;
 }
 
-/* Adds a program's name, or its full path if the name alone would start this program. False: no
- * other program has the name. */
+/* Adds a program's name, or its full path if the name alone would start this program. Returns false
+ * if no other program has the name. */
 static bool add_program(arena *a, word_list *list, const char *self, const char *name) {
     unsigned skipped = 0;
     const char *path = find_program(a, self, name, &skipped);

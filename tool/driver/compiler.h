@@ -15,7 +15,7 @@ typedef struct compiler {
     bool is_clang;
     bool is_cxx;          /**< treats a C file as C++ */
     bool is_cross;        /**< compiles for another machine */
-    const char *standard; /**< -std= implied by the name (c99); NULL: none */
+    const char *standard; /** -std= implied by the name (c99), or NULL */
     bool found;           /** whether there is a compiler other than this program itself */
 } compiler;
 

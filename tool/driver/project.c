@@ -31,7 +31,8 @@ static bool is_c_source(const char *name) {
     return length > 2 && strcmp(name + length - 2, ".c") == 0;
 }
 
-/* Lists the C sources in the folder and, if is_recursive, below it. False: there are too many. */
+/* Lists the C sources in the folder and, if is_recursive, below it. Returns false if there are too
+ * many. */
 static bool list_folder(listing *all, const char *folder, int depth) {
     DIR *stream = opendir(folder);
     bool is_small = true;
@@ -68,8 +69,8 @@ static bool describes_build(arena *a, const char *folder) {
     return false;
 }
 
-/* The outermost folder with a build description, at most a few levels above `folder`; NULL: there
- * is none. The home folder and those above it do not count. */
+/* The outermost folder with a build description, at most a few levels above `folder`, or NULL if
+ * there is none. The home folder and those above it do not count. */
 static const char *root_of(arena *a, const char *folder) {
     const char *root = NULL, *home = getenv("HOME");
     char *at = arena_string(a, folder);
@@ -116,7 +117,7 @@ typedef struct scanner {
     arena *memory;
     const char *at, *end;
     project_file *file;
-    project_function *function; /* the function whose body is being read; NULL: none */
+    project_function *function; /* the function whose body is being read, or NULL */
     int braces, parentheses;    /* numbers of open braces and parentheses */
     const char *name;           /* outside of bodies: the word before a declaration's first '(' */
     bool is_static,

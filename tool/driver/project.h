@@ -55,8 +55,8 @@ project *project_from(arena *a, const char *path, const project_scan *files);
 project *project_around(arena *a, const char *path);
 
 /** A file other than the source that defines an external function of this name. Among several, the
- *  one named like the header that declares the function (NULL: none does), else one in the source's
- *  own folder, else the first. NULL: there is none. */
+ * one named like the header that declares the function (NULL: none does), else one in the source's
+ * own folder, else the first. Returns NULL if there is none. */
 const char *project_definer(const project *p, const char *name, const char *header);
 
 /** A digest of all that queries about the source's functions depend on: the bytes of files that

@@ -129,7 +129,7 @@ static bool misses_input(const command *c) {
     return false;
 }
 
-/* The first option that the translator cannot follow; NULL: there is none. */
+/* The first option that the translator cannot follow, or NULL if there is none. */
 static const char *obstructing_option(const command *c) {
     for (unsigned i = 0; i < c->count; i++)
         if (c->items[i].meaning & (OPTION_GIVE_UP | OPTION_REFUSE))
@@ -186,8 +186,8 @@ static _Noreturn void translate_and_build(session *s) {
     build(s, translations, count);
 }
 
-/* The reason to report for a compiled input that is no C source; NULL: it is neither preprocessed C
- * nor C++. */
+/* The reason to report for a compiled input that is no C source, or NULL if it is neither
+ * preprocessed C nor C++. */
 static const char *other_input(const session *s, const item *one) {
     static const char *const cxx[] = {".C", ".CPP", ".c++", ".cc", ".cp", ".cpp", ".cxx", ".ii"};
     const char *dot = strrchr(path_base(one->text), '.');

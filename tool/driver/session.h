@@ -21,8 +21,8 @@ typedef struct session {
     bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
     bool strict;         /**< $REDCC_STRICT: a source that cannot be translated ends the build */
-    struct cache *cache; /**< the cache (cache.h); NULL: none */
-    const char *report;  /**< the file for the build's report; NULL: none */
+    struct cache *cache; /** the cache (cache.h), or NULL */
+    const char *report;  /** the file for the build's report, or NULL */
     const char *folder;  /**< the folder for temporaries; NULL before there is one */
     VECTOR(shared_folder) shared; /**< folders that other calls may use at the same time */
     const char *input;   /**< a file with the contents of standard input; NULL if it is no source */
@@ -37,8 +37,8 @@ void session_read_options(session *s);
 /** Reads the file name of the build's report, and whether the build is strict, into the session. */
 void session_read_environment(session *s);
 
-/** The command's option by which the compiler may reorder or approximate arithmetic (-Ofast); NULL:
- *  there is none, or --order=any allows it. Translated texts are compiled without it. */
+/** The command's option by which the compiler may reorder or approximate arithmetic (-Ofast), or
+ * NULL if there is none, or --order=any allows it. Translated texts are compiled without it. */
 const char *session_liberty(const session *s);
 
 /** OPTION_LIBERTY if session_liberty names an option; else 0. */

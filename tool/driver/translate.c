@@ -152,8 +152,9 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* The result of `search` in the source and its headers; NULL: nothing found. It is cached with
- * them, because searching again would take longer than all other work for a cached translation. */
+/* The result of `search` in the source and its headers, or NULL if it finds nothing. The result is
+ * cached with them, because searching again would take longer than all other work for a cached
+ * translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {
     word_list words = {0};
@@ -166,8 +167,8 @@ static const char *kept_answer_of(session *s, const translation *t, const char *
     return answer && *answer ? answer : NULL;
 }
 
-/* The reason why the source or a header would have another meaning in the translated text; NULL:
- * none. */
+/* The reason why the source or a header would have another meaning in the translated text, or NULL
+ * if there is none. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
@@ -189,7 +190,7 @@ bool translation_assembles_file(session *s, const translation *t) {
     return kept_answer_of(s, t, "a file for the assembler", assembled_file) != NULL;
 }
 
-/* A header that the compiler may read in precompiled form; NULL: there is none. Such a form is
+/* A header that the compiler may read in precompiled form, or NULL if there is none. Such a form is
  * valid only for the options it was made with: gcc 12 crashes if OpenMP was off then. */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
@@ -210,7 +211,7 @@ static bool keeps_liberty(session *s, const translation *t) {
     return text && !strstr(text, "REDCC_OVER(redcc__");
 }
 
-/* The reason why the text cannot replace the source; NULL: it can. */
+/* The reason why the text cannot replace the source, or NULL if it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
         return "its headers could not be listed";

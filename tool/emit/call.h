@@ -27,8 +27,8 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
 /** Does the generated text read memory before the loop that the program might not read? Such reads
  * use loads that cannot fault. */
 bool reads_by_system(const loop_text *loop);
-/** The condition that all extents are known, for entering the parallel form; NULL: they are always
- * known. */
+/** The condition that all extents are known, for entering the parallel form, or NULL if they are
+ * always known. */
 const char *extents_condition(const loop_text *loop);
 
 #endif

@@ -102,7 +102,7 @@ static bool is_own_element(const logged_source *item) {
 }
 
 /** The number that identifies the base of an own element. Several own elements of an iteration with
- * one base are disjoint, so the guard need not compare them. "": the source is not an own
+ * one base are disjoint, so the guard need not compare them. Returns "" if the source is not an own
  * element. */
 static const char *base_text(loop_text *loop, unsigned number) {
     const logged_source *all = loop->plan->sources;

@@ -47,7 +47,7 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where,
         text_quoted(a, ir_position_of(unit, 0).file));
 }
 
-/** The reason why no loop of the file can be written; NULL: none. */
+/** The reason why no loop of the file can be written, or NULL if there is none. */
 static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
     if (holds_word(unit->source, 0, (uint32_t)unit->source->length, reserved_prefix))
         return "the file uses names that begin with redcc__, which are reserved for what redcc "
@@ -87,7 +87,8 @@ static bool is_around(const ir_unit *unit, const ir_function *function, const ir
     return tag->offset < loop.begin;
 }
 
-/** A type that the loop's text names but that is not declared at the loop; NULL: none. */
+/** A type that the loop's text names but that is not declared at the loop, or NULL if there is
+ * none. */
 static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
                                    const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
@@ -324,7 +325,7 @@ typedef struct file_text {
     const loop_plan **plans; /* indexed by verdict */
     lanes_outcome *lanes;
     reason *obstacles;
-    const char *obstacle; /* the reason why no loop is written; NULL: none */
+    const char *obstacle; /* the reason why no loop is written, or NULL */
 } file_text;
 
 /** Writes the file's loops, with lanes if `has_lanes` and possible. Returns whether some loop has

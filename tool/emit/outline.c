@@ -173,7 +173,7 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
 }
 
 /** Writes a slice that logs only the reads, for executions that append records: it does not compute
- * the subscripts of updates. NULL: none is written. */
+ * the subscripts of updates. Returns its call, or NULL if no such slice is written. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;

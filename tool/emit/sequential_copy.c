@@ -31,7 +31,7 @@ const char *clause_expression(const loop_text *loop, const char *whole) {
     return buffer_take(loop->arena, &out);
 }
 
-/* The expression in the clause of this kind; NULL: there is no such clause. */
+/* The expression in the clause of this kind, or NULL if there is no such clause. */
 static const char *expression_of(const loop_text *loop, openmp_clause_kind kind) {
     const openmp_loop *openmp = loop->facts->variables.openmp;
     for (unsigned i = 0; i < openmp->item_count; i++)

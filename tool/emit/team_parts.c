@@ -5,7 +5,7 @@
 #include "emit/macro_names.h"
 #include "emit/text/origin.h"
 
-/* The name of a built-in type with the same values; NULL: there is none. */
+/* The name of a built-in type with the same values, or NULL if there is none. */
 static const char *plain_type(const ir_type *type) {
     static const char *const integers[][2] = {{"unsigned char", "signed char"},
                                               {"unsigned short", "short"},

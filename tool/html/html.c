@@ -31,7 +31,7 @@ static bool is_page(const char *name) {
 }
 
 /* Removes all entries of the folder or, without `removes`, returns the name of an entry that is no
- * page, in the arena; NULL: none. */
+ * page, in the arena, or NULL if there is none. */
 static const char *visit_entries(arena *a, const char *folder, bool removes) {
     const char *stranger = NULL;
     DIR *entries = opendir(folder);

@@ -26,8 +26,8 @@ typedef struct report_file report_file;
 typedef struct report_loop {
     const report_file *file; /**< NULL: only a run reports the loop */
     const char *name;        /**< the file's name, as reported */
-    const json_t *verdict;   /** the loop's object in the build's report; NULL: only a run reports
-                              * it */
+    const json_t *verdict;   /** the loop's object in the build's report, or NULL if only a run
+                              * reports it */
     const char *function;
     json_int_t line;
     unsigned compilations; /**< the number of compilations with this verdict */
@@ -38,7 +38,7 @@ typedef struct report_loop {
 struct report_file {
     const char *name;       /** name as reported */
     const char *path;       /**< where its text is expected */
-    const char *left_alone; /**< why it was not translated; NULL: it was */
+    const char *left_alone; /** why it was not translated, or NULL if it was */
     VECTOR(report_loop *) loops;
     unsigned parallel, refused;
 };

@@ -11,7 +11,7 @@
  * groups of them. */
 extern const char reasons_text[];
 
-/* The section on a reason, in the arena; NULL: there is none. */
+/* The section on a reason, in the arena, or NULL if there is none. */
 static const char *advice(arena *a, const json_t *reason) {
     const char *heading =
         arena_format(a, "\n## %s %s\n", json_word(reason, "id"), json_word(reason, "slug"));

@@ -80,7 +80,8 @@ static bool has_value_always(const loop_facts *facts, const ir_node *node) {
 
 /** Adds an operand to the record, which stores all its operands whenever it is appended.
  * `is_certain`: the update then always evaluates the operand. Otherwise the operand must be a
- * variable with a value, so that reading it is harmless. False: the record cannot store it. */
+ * variable with a value, so that reading it is harmless. Returns false if the record cannot store
+ * it. */
 static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
@@ -164,7 +165,7 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
 }
 
 /** Merges the types of the record's values into its stream's types, of which a record may use only
- * the first ones. False: the types differ, or the values are too many. */
+ * the first ones. Returns false if the types differ, or the values are too many. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);
@@ -281,7 +282,7 @@ static bool needs_check(const loop_plan *plan) {
            may_meet_kept(plan->facts);
 }
 
-/** The reason why updates may not be deferred; NULL: they may. */
+/** The reason why updates may not be deferred, or NULL if they may. */
 static const char *why_not_later(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (plan->unit->dialect.is_sanitized)

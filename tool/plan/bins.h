@@ -110,7 +110,7 @@ typedef struct bins_plan {
 /** Sets plan->bins, or plan->no_bins: the reason why there are none. */
 void plan_bins(loop_plan *plan);
 
-/** The span whose records form the stream; NULL: the stream has records of another kind. */
+/** The span whose records form the stream, or NULL if the stream has records of another kind. */
 const bins_span *span_of_stream(const bins_plan *bins, unsigned stream);
 
 /** The number of values in a record of the stream. */
@@ -128,21 +128,23 @@ unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduc
                      unsigned part);
 
 /** The array element or member that holds the pointer by which an update of a scattered array
- * reaches its row; NULL: it is held elsewhere, or the array is not scattered. */
+ * reaches its row, or NULL if it is held elsewhere, or the array is not scattered. */
 const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
 
 /** Does the node name the updated element? If both subscripts contain equal calls, the calls count
  * as equal. */
 bool is_updated_element(const ir_node *node, const ir_node *target);
 
-/** The number of the operand that equals this node; -1: none. Two calls never count as equal. */
+/** The number of the operand that equals this node, or -1 if there is none. Two calls never count
+ * as equal. */
 int operand_number(const bins_record *record, const ir_node *node);
 
-/** The level of the nest whose counter this node is; NULL: none. */
+/** The level of the nest whose counter this node is, or NULL if there is none. */
 const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
 /** The number of elements that an update in the nest updates; 1 if `nest` is NULL. */
 unsigned nest_part_count(const bins_nest *nest);
-/** The nest of an update; NULL: it has none, nests are not used, or rows are single elements. */
+/** The nest of an update, or NULL if it has none, nests are not used, or rows are single
+ * elements. */
 const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
                          const reduction_update *update);
 /** The value of a counter when the loops reach element number `part`, counted from 0. */

@@ -86,7 +86,8 @@ static bool is_one_row(const loop_facts *facts, const reduction_update *update,
     return !mentions_counter(nest, row);
 }
 
-/** Sets *nest to the loops around the update, from `outermost` on. False: they cannot be a nest. */
+/** Sets *nest to the loops around the update, from `outermost` on. Returns false if they cannot be
+ * a nest. */
 static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};

@@ -7,7 +7,7 @@
 
 /** Sets bins->nests. There are none if they would change the order of an element's updates. */
 void find_nests(const loop_facts *facts, bins_plan *bins);
-/** The nest of update number `i`, for any rows; NULL: it has none, or nests are not used. */
+/** The nest of update number `i`, for any rows, or NULL if it has none, or nests are not used. */
 const bins_nest *nest_at(const bins_plan *bins, unsigned i);
 
 /** Sets bins->spans. Requires find_nests. */

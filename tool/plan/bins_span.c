@@ -93,7 +93,7 @@ static bool is_only_update(const loop_facts *facts, const reduction_update *upda
     return true;
 }
 
-/** The `for` whose body is this statement alone; NULL: none. */
+/** The `for` whose body is this statement alone, or NULL if there is none. */
 static const ir_node *loop_around_only(const ir_node *statement) {
     const ir_node *parent = statement->parent;
     if (parent && parent->kind == IR_BLOCK && parent->child_count == 1)

@@ -99,7 +99,7 @@ static bool has_search(const loop_facts *facts, const ir_node *node) {
 }
 
 /** The innermost loop around a statement of the body, except for loops with constant bounds
- * (components of a vector). NULL: none. */
+ * (components of a vector). Returns NULL if there is none. */
 static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
     for (; node != facts->loop; node = node->parent) {
         const ir_variable *counter;

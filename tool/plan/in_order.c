@@ -15,7 +15,7 @@ static bool mentions(const ir_node *node, const ir_node *row) {
     return false;
 }
 
-/** The variable that contains the row; NULL: a pointer leads to the row. */
+/** The variable that contains the row, or NULL if a pointer leads to the row. */
 static const ir_variable *variable_with(const ir_node *row) {
     while ((row->kind == IR_MEMBER && !(row->flags & IR_ARROW)) ||
            (row->kind == IR_INDEX && row->children[0]->type->kind == IR_ARRAY))

@@ -197,9 +197,9 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     return false;
 }
 
-/** Moves the beginning of the rest behind the last statement that sets the variable. False: the
- * variable may have no value there, or its address is taken, so that it may change before the row
- * is updated. */
+/** Moves the beginning of the rest behind the last statement that sets the variable. Returns false
+ * if the variable may have no value there, or if its address is taken, so that it may change before
+ * the row is updated. */
 static bool begin_after_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -227,7 +227,8 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
     return a->array == b->array && syntax_same(a->row, b->row);
 }
 
-/** The nested loop, in the inner iteration, that steps through the update's rows; NULL: none. */
+/** The nested loop, in the inner iteration, that steps through the update's rows, or NULL if there
+ * is none. */
 static const loop_span *span_below(const inner_rest *t, const reduction_update *update) {
     const ir_node *const end = ir_contains(t->inner, update->statement) ? t->inner : NULL;
     for (const ir_node *node = update->statement->parent; end && node != end; node = node->parent) {
@@ -238,7 +239,7 @@ static const loop_span *span_below(const inner_rest *t, const reduction_update *
     return NULL;
 }
 
-/** The value that the loop's header gives the variable; NULL: another statement sets it. */
+/** The value that the loop's header gives the variable, or NULL if another statement sets it. */
 static const ir_node *first_value(const loop_span *span, const ir_variable *variable) {
     const counted_loop *counted = &span->counted;
     if (variable == counted->counter)
@@ -249,16 +250,16 @@ static const ir_node *first_value(const loop_span *span, const ir_variable *vari
     return NULL;
 }
 
-/** Moves the beginning of the rest to where the value is known. False: it is not known, or
- * computing it reads memory or may trap. */
+/** Moves the beginning of the rest to where the value is known. Returns false if it is not known,
+ * or computing it reads memory or may trap. */
 static bool begin_after_value(inner_rest *t, const ir_node *value) {
     return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
            begin_after_variables(t, value);
 }
 
 /** Moves the beginning of the rest to where the variable has the value from which the nested loop
- * steps it. False: it may have no value or change later, or the nested loop is not a statement of
- * the block itself. */
+ * steps it. Returns false if it may have no value or change later, or the nested loop is not a
+ * statement of the block itself. */
 static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable), is_behind = false;
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -295,8 +296,8 @@ static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node
     return true;
 }
 
-/** Adds the update's row to the rows that are checked. False: there are too many rows, or this one
- * cannot be computed before the rest. */
+/** Adds the update's row to the rows that are checked. Returns false if there are too many rows, or
+ * this one cannot be computed before the rest. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)

@@ -95,8 +95,8 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
-/** The LANE_VECTOR variable whose element or value the node is; NULL: none, or a subscript is not
- *  allowed. */
+/** The LANE_VECTOR variable whose element or value the node is, or NULL if there is none, or a
+ * subscript is not allowed. */
 static const ir_variable *vector_root(const lane_scope *l, const ir_node *node,
                                       bool (*allows)(const lane_scope *l,
                                                      const ir_node *subscript)) {

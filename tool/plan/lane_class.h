@@ -52,7 +52,7 @@ bool lane_is_plain(const ir_node *node);
 bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);
 bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
 /** The LANE_VECTOR variable that the node names as a whole or by an element with uniform
- * subscripts; NULL: none. */
+ * subscripts, or NULL if there is none. */
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
 /** As lane_vector_root, but subscripts may differ between lanes. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
@@ -64,8 +64,8 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node);
 bool lane_has_operator(ir_operator op);
 /** The reason why an operand that is not plain is rejected. */
 lane_reason lane_effect_of(const ir_node *node);
-/** The type of an operator's result: double if an operand is double, otherwise float. NULL: neither
- * operand is a double or float, or one is neither that nor an integer. */
+/** The type of an operator's result: double if an operand is double, otherwise float. Returns NULL
+ * if neither operand is a double or float, or one is neither that nor an integer. */
 const ir_type *lane_common(const ir_type *left, const ir_type *right);
 /** In a conditional expression such as `d > 0 ? 1 : 0`: may the operands be converted before the
  * selection? Not if C first converts one to another integer type. */

@@ -57,8 +57,8 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** The variable that this node declares, assigns or steps; NULL: none. Sets *other if only a part
- * of it, or the target of a pointer, is assigned. */
+/** The variable that this node declares, assigns or steps, or NULL if there is none. Sets *other if
+ * only a part of it, or the target of a pointer, is assigned. */
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
         return node->variable;

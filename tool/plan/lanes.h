@@ -32,7 +32,7 @@ bool lane_is_exit(const ir_node *statement);
  * statements without updates? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
 
-/** The update statement of the body that contains the node; NULL: the node is computed for all
+/** The update statement of the body that contains the node, or NULL if the node is computed for all
  * lanes at once. */
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
 

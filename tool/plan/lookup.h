@@ -21,12 +21,12 @@ int scalar_update_at(const loop_facts *facts, const ir_node *statement);
 bool has_series(const loop_facts *facts);
 /** The number of the first update of the same scalar; it identifies the series. */
 unsigned series_of(const loop_facts *facts, unsigned number);
-/** The span of the inner loop, if the slice logs its rows as one range; NULL: it does not. */
+/** The span of the inner loop, if the slice logs its rows as one range, or NULL if it does not. */
 const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
 /** Do the inner loop's first and last iterations have the extreme addresses of its updates? */
 bool has_hull(const loop_facts *facts, const ir_node *loop);
 /** The increment at the end of a while or do loop's body, which the executor makes itself: copies
- *  of the body omit it. NULL: none. */
+ * of the body omit it. Returns NULL if there is none. */
 const ir_node *body_increment(const loop_facts *facts);
 
 /** Is the variable private to the iteration, or declared in the body? */

@@ -19,10 +19,10 @@ typedef enum lanes_wish {
 typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* the user has set `order` */
-    const char *obstacle;   /* the reason why nothing may be written; NULL: none */
+    const char *obstacle;   /* the reason why nothing may be written, or NULL */
     const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
-                             * that functions of other files are those that were analysed; NULL: no
-                             * loop depends on other files */
+                             * that functions of other files are those that were analysed, or NULL
+                             * if no loop depends on other files */
     lanes_wish lanes;
     const unsigned char *no_lanes; /* indexed by verdict; 1: write no form for several iterations at
                                     * once; NULL: all are 0 */

@@ -27,7 +27,7 @@ passing passing_of(const loop_plan *plan, const ir_variable *variable, bool of_b
 /** Is the node a string that is, or may be, __func__? */
 bool says_function_name(const loop_plan *plan, const ir_node *node);
 
-/** The reason why slice and body cannot be moved; NULL: they can. */
+/** The reason why slice and body cannot be moved, or NULL if they can. */
 const char *plan_outline(const loop_plan *plan);
 
 #endif

@@ -34,7 +34,7 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
     return false;
 }
 
-/** Positions in the file after a token; 0: none. */
+/** Positions in the file after a token, or 0 if there is none. */
 typedef struct token_ends {
     uint32_t last;        /* the end of the last token */
     uint32_t declaration; /* the end of the last ; or } outside of parentheses */

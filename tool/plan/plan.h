@@ -50,7 +50,7 @@ typedef struct execution_plan {
                           * the remaining ones as a separate loop */
     bool is_over_blocks; /* inspection is short, even if iterations are long */
     int64_t work;        /* operations of an iteration (work.h) */
-    const array_section *sections; /* by array (sections.h); NULL: the loop has none */
+    const array_section *sections; /* by array (sections.h), or NULL if the loop has none */
     result_order order;            /* the order that the results keep */
 } execution_plan;
 
@@ -88,7 +88,7 @@ typedef struct loop_plan {
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;
-    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none */
+    const struct bins_plan *bins; /* the form for in-order binning (bins.h), or NULL */
     const char *no_bins;          /* the reason why there are no bins */
     lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;

@@ -27,7 +27,7 @@ typedef struct search {
 
 static void visit(search *s, const ir_node *node);
 
-/** Sets *value to the counter's initial value. False: it is not constant. */
+/** Sets *value to the counter's initial value. Returns false if it is not constant. */
 static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
     const ir_node *first = NULL;
     if (start->kind == IR_DECLARATION && start->child_count == 1 &&
@@ -106,7 +106,7 @@ static void visit_address(search *s, const ir_node *object) {
     }
 }
 
-/** The pointer p of p->a.b; NULL: the node is no member reached by a pointer. */
+/** The pointer p of p->a.b, or NULL if the node is no member reached by a pointer. */
 static const ir_node *structure_of(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = ir_child(node, 0);

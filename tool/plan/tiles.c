@@ -100,8 +100,8 @@ static bool begin_together(const counted_loop *outer, const counted_loop *inner)
                                 column >= 0 && row % outer->step == column % outer->step);
 }
 
-/** The reason why the pairs do not form a triangle; NULL: they do. In a triangle no column is less
- * than its row, or no column is greater than its row. */
+/** The reason why the pairs do not form a triangle, or NULL if they do. In a triangle no column is
+ * less than its row, or no column is greater than its row. */
 static const char *check_header(const pairs *p, tile_plan *tiles) {
     const counted_loop *outer = &p->facts->counted, *inner = &p->span.counted;
     int64_t offset;
@@ -198,8 +198,8 @@ static bool is_set_before(const pairs *p, const ir_variable *variable) {
     return false;
 }
 
-/** Adds the variable to tiles->kept[], whose values are kept from tile to tile. False: it cannot be
- * kept. */
+/** Adds the variable to tiles->kept[], whose values are kept from tile to tile. Returns false if it
+ * cannot be kept. */
 static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item) {
     const ir_variable *variable = item->variable;
     enum { MOST_BYTES = 128 };
@@ -225,8 +225,8 @@ static bool may_be_left(const pairs *p, const ir_variable *variable) {
 }
 
 /** Lists in tiles->kept[] the iteration's variables in which inner iterations leave values.
- * Variables declared in the inner loop are new in each of its iterations. False: one cannot be
- * kept. */
+ * Variables declared in the inner loop are new in each of its iterations. Returns false if one
+ * cannot be kept. */
 static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
     for (unsigned i = 0; i < variables->private_count; i++) {

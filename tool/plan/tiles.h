@@ -53,7 +53,8 @@ typedef struct kept_value {
 } kept_value;
 
 typedef struct tile_plan {
-    const char *declined;         /* the reason why there are no tiles; NULL: there are tiles */
+    const char *declined;         /* the reason why there are no tiles, or NULL if there are
+                                   * tiles */
     const ir_node *inner;         /* the loop over columns: the body, or a statement in it */
     const ir_variable *column;    /* its counter */
     const ir_node *lower, *bound; /* first value and bound in its header */
@@ -72,7 +73,7 @@ static inline bool tiles_begin_with(const tile_plan *tiles, const ir_node *state
     return statement->id < tiles->inner->id;
 }
 
-/** The plan's tiles; NULL: none. */
+/** The plan's tiles, or NULL if there are none. */
 static inline const tile_plan *tiles_of(const loop_plan *plan) {
     return plan->tiles && !plan->tiles->declined ? plan->tiles : NULL;
 }

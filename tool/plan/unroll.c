@@ -22,8 +22,8 @@ enum {
     MOST_BODY = 300          /* such a body is compiled twice: with owner checks and without */
 };
 
-/** The maximum number of a loop's iterations, from its text and that of the loops around it; 0:
- *  unknown, or more than MOST_ITERATIONS. */
+/** The maximum number of a loop's iterations, from its text and that of the loops around it, or 0
+ * if it is unknown or exceeds MOST_ITERATIONS. */
 static int64_t few_iterations(const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last, other;

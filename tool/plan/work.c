@@ -34,7 +34,7 @@ static int64_t own_work(const ir_node *node) {
     return node->op == IR_OP_DIVIDE ? EXPENSIVE : 1;
 }
 
-/** The cost of functions, by id and depth of the call; -1: not computed yet. */
+/** The cost of functions, by id and depth of the call, or -1 if it is not computed yet. */
 typedef struct known_work {
     int64_t (*of)[MOST_DEPTH + 1];
 } known_work;

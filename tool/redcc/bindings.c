@@ -19,8 +19,8 @@ int written_loop_at(const emit_result *written, uint32_t offset) {
     return -1;
 }
 
-/** The origin of the word or copy that contains this byte of the loop's text; NULL: the byte is the
- *  translator's own. */
+/** The origin of the word or copy that contains this byte of the loop's text, or NULL if the byte
+ * is the translator's own. */
 static const origin *origin_at(const written_loop *loop, uint32_t at) {
     unsigned low = 0, high = loop->origins.items.count;
     while (low < high) {
@@ -167,7 +167,7 @@ static const char *wrong_reference(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
-/** A name of the loop's text that is missing from the compiler's tree; NULL: none. */
+/** A name of the loop's text that is missing from the compiler's tree, or NULL if there is none. */
 static const char *unseen_name(const comparison *c, const ir_unit *after,
                                const written_loop *loop) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -221,7 +221,7 @@ static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) 
 }
 
 /** The type of an expression in the loop's text that has another type than the original, or is
- * missing from the tree; NULL: none. */
+ * missing from the tree, or NULL if there is none. */
 static const char *wrong_type(const ir_unit *after, const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
         const origin *o = &loop->origins.items.items[i];

@@ -41,7 +41,7 @@ typedef struct counting {
     map *in_headers; /* loops of headers that were counted, by their place */
 } counting;
 
-/* The path of redcc-cc in an installed tree or a build tree; NULL: it is missing. */
+/* The path of redcc-cc in an installed tree or a build tree, or NULL if it is missing. */
 static const char *find_wrapper(arena *a) {
     const installation found = installation_find(a);
     if (!found.self)

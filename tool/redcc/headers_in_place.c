@@ -141,7 +141,8 @@ static bool names_level(arena *a, const ir_unit *unit) {
     return is_found;
 }
 
-/* The only directive in the main file that includes the header; NULL: there are more, or none. */
+/* The only directive in the main file that includes the header, or NULL if there are more, or
+ * none. */
 static const ir_inclusion *only_inclusion(const ir_unit *unit, const char *header) {
     const ir_inclusion *only = NULL;
     for (unsigned i = 0; i < unit->text.inclusion_count; i++) {

@@ -26,9 +26,9 @@ header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_resul
 const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses *headers,
                                bool as_clang);
 
-/** Does a loop of the header run in parallel? `unit` is a source with headers in place.
- * `obstacles`: for each verdict, the reason why its loop could not be written, or one without a
- * message; NULL: all loops could be written. */
+/** Does a loop of the header run in parallel? `unit` is a source with headers in place. `obstacles`
+ * has, for each verdict, the reason why its loop could not be written, without a message if it
+ * could; it may be NULL if all loops could be written. */
 bool header_is_used(const ir_unit *unit, const analysis_result *analysed, const reason *obstacles,
                     const char *header);
 

@@ -411,7 +411,7 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
     return NULL;
 }
 
-/** The first input with a C++ file name; NULL: there is none. */
+/** The first input with a C++ file name, or NULL if there is none. */
 static const char *cxx_input(const options *o) {
     static const char *const endings[] = {".C", ".cc", ".cpp", ".cxx", ".c++"};
     for (unsigned i = 0; i < o->inputs.count; i++) {

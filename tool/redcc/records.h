@@ -8,8 +8,8 @@
 #include "support/buffer.h"
 
 /** The text to append to the file: a redcc_record for each function that a loop of another file
- * seems to call; NULL: there is none. Must be called before imports_add. The text needs no header,
- * and is plain C with GNU attributes. */
+ * seems to call, or NULL if there is none. Must be called before imports_add. The text needs no
+ * header, and is plain C with GNU attributes. */
 const char *records_write(arena *a, const ir_unit *unit, const project *around);
 
 /** Declares the record of `function` in text to be appended, weakly: its address is NULL if the

@@ -25,7 +25,7 @@ uint32_t verdict_offset(const loop_verdict *verdict);
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict);
 ir_position reason_position(const report_input *input, const loop_verdict *verdict);
 
-/** The remark on a transformed loop's form for several iterations at once; NULL: none was
+/** The remark on a transformed loop's form for several iterations at once, or NULL if none was
  * requested. */
 const lanes_remark *verdict_lanes(const report_input *input, const loop_verdict *verdict);
 /** The position of the reason why the loop has no such form. */

@@ -22,12 +22,13 @@ typedef struct report_input {
     const analysis_result *analysis;
     const char *version;       /* version of redcc */
     const char *order;         /* value of --order */
-    const lanes_remark *lanes; /* indexed by verdict; NULL: such a form was requested for no loop */
+    const lanes_remark *lanes; /* indexed by verdict, or NULL if such a form was requested for no
+                                * loop */
     bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */
     const char *(*explain)(arena *a, const char *reason);
-    /** A URI of that text, in the arena; NULL: none. */
+    /** A URI of that text, in the arena, or NULL if there is none. */
     const char *(*link)(arena *a, const char *reason);
 } report_input;
 

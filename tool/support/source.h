@@ -39,8 +39,8 @@ bool source_is_word_byte(char c);
 /** May the byte be part of a name: letters, digits, `_`, and by compiler extension `$` and the
  *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
-/** The first name in text[0 .. end) that is a key of `names`, its length in *length; NULL: none.
- *  Comments and strings are text like any other. */
+/** The first name in text[0 .. end) that is a key of `names`, its length in *length, or NULL if
+ * there is none. Comments and strings are text like any other. */
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 /** Does the name occur in text[0 .. length)? */
 bool source_has_name(const char *text, size_t length, const char *name);

@@ -7,8 +7,8 @@
 typedef struct extra_value {
     const char *name;
     const char *declaration; /* declaration of the parameter, with its name */
-    const char *given; /* the expression whose value the caller stores in the context; NULL: the
-                        * value is not in the context */
+    const char *given; /* the expression whose value the caller stores in the context, or NULL if
+                        * the value is not in the context */
     const char *made;  /* if `given` is NULL: the expression by which each thread computes the
                         * value; NULL: the runtime's macros provide the value */
 } extra_value;

@@ -38,9 +38,9 @@ typedef struct outline_text {
     const char *text;        /* slice, body and each thread's last statements; the
                               * context must pass the values that they name */
     const char *slice_call, *body_call; /* the calls for iteration redcc__k */
-    const char *reads_call; /* call that replaces slice_call while records are appended (bins);
-                             * NULL: none */
-    const char *tile_call;  /* call for the inner iterations of a row in a tile; NULL: none */
+    const char *reads_call; /* call that replaces slice_call while records are appended (bins), or
+                             * NULL */
+    const char *tile_call;  /* call for the inner iterations of a row in a tile, or NULL */
     const char *body_parameters, *body_arguments; /* lists that begin with a comma, without the
                                                    * counter */
 } outline_text;

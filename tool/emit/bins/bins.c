@@ -135,8 +135,8 @@ static const char *part_of_row_text(const loop_text *loop, const reduction_updat
     return text;
 }
 
-/** The value of a nest's counter in iteration `part`, in its promoted type; NULL: the node is not
- * such a counter. */
+/** The value of a nest's counter in iteration `part`, in its promoted type, or NULL if the node is
+ * not such a counter. */
 static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
                                      const ir_node *node, unsigned part) {
     const struct nest_level *level = nest_level_of(nest, node);

@@ -189,7 +189,8 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
     return false;
 }
 
-/** The text that replaces the node; NULL: none. Sets *is_base: the node is an array's base. */
+/** The text that replaces the node, or NULL if there is none. Sets *is_base: the node is an array's
+ * base. */
 static const char *replacement_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;

@@ -20,8 +20,8 @@ typedef struct body_copy {
 } body_copy;
 
 /** A hook that spells a node of the body; the context is the loop_text. It gives the local name of
- * an array's base, of an own element, of a forwarded value, or of a variable passed by address.
- * NULL: as the user wrote it. */
+ * an array's base, of an own element, of a forwarded value, or of a variable passed by address. It
+ * returns NULL for other nodes, which are spelled as the user wrote them. */
 const char *local_name(const ir_node *node, void *context);
 /** As local_name, for code that the program may not execute: signed arithmetic wraps around. */
 const char *wrapping_name(const ir_node *node, void *context);

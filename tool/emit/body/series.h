@@ -19,8 +19,8 @@ void declare_thread_series(loop_text *loop, writer *out);
 void join_series(loop_text *loop, writer *out);
 const char *series_condition(loop_text *loop);
 void finish_series(loop_text *loop, writer *out);
-/** The statement after a tile that adds the operands of a completed band (a group of rows); "":
- * there is no series. */
+/** The statement after a tile that adds the operands of a completed band (a group of rows), or ""
+ * if there is no series. */
 const char *series_of_band(loop_text *loop);
 /** Writes, at the beginning of an iteration, code that begins its operands or, in a tile, resumes
  * them. */

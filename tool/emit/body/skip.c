@@ -77,8 +77,8 @@ static const char *row_check(loop_text *loop, const skip_row *skipped) {
                : NULL;
 }
 
-/** The expression that checks whether the thread owns any of the rows; NULL: it cannot be
- *  spelled. */
+/** The expression that checks whether the thread owns any of the rows, or NULL if it cannot be
+ * spelled. */
 static const char *skip_check(loop_text *loop, const inner_skip *skip) {
     const char *check = !skip->needs_leader       ? ""
                         : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "

@@ -16,7 +16,7 @@ void declare_tile_rows(loop_text *loop, writer *out);
 extra_value tile_rows_value(loop_text *loop);
 
 /** take_tile_row: the statements before the loop over columns, which load the row's values.
- * keep_tile_row: those after it, which store them. "": none. */
+ * keep_tile_row: those after it, which store them. Both are "" if rows have no such values. */
 const char *take_tile_row(loop_text *loop);
 const char *keep_tile_row(loop_text *loop);
 

@@ -152,8 +152,8 @@ static void write_block(vectoriser *l, const ir_node *block) {
         write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
-/** The text of the function, after the vector forms of functions that it calls; NULL: it cannot be
- * written. */
+/** The text of the function, after the vector forms of functions that it calls, or NULL if it
+ * cannot be written. */
 static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
     arena *a = loop->arena;

@@ -29,7 +29,8 @@ typedef struct vectoriser {
     unsigned depth;        /* nesting depth of calls */
     bool *is_kept;         /* indexed by variable: some lanes keep its old value */
     const char *mask;      /* the lanes that execute the current code; NULL: all */
-    const ir_node *region; /* code under the mask's condition; NULL: inactive lanes have ended */
+    const ir_node *region; /* code under the mask's condition, or NULL if inactive lanes have
+                            * ended */
     bool may_be_none;      /* the current code may be executed without any active lane */
     unsigned *mask_count;
 } vectoriser;

@@ -28,10 +28,10 @@ typedef struct inspector {
     bool is_unconditional; /* the current code may be evaluated when the program does not */
     unsigned loop_count;   /* number of loops of a called function around the current code */
     const source_loop *loops;
-    const ir_node *span;  /* the span whose first or last row is being spelled; NULL: none */
+    const ir_node *span;  /* the span whose first or last row is being spelled, or NULL */
     const ir_node *place; /* where the loop accesses that row */
     bool is_at_last;      /* the last row is being spelled, not the first */
-    const ir_node *hulls; /* the outermost loop whose hulls are being logged; NULL: none */
+    const ir_node *hulls; /* the outermost loop whose hulls are being logged, or NULL */
     row_list recent;      /* the rows logged by the last statements of the text */
     size_t recent_end;    /* end of these statements in the text; if the text is longer, others
                            * follow */
@@ -58,8 +58,8 @@ const char *log_row_text(inspector *self, const ir_node *row);
  * `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
-/** The loop with constant bounds, inside the span and around `place`, that has this counter; NULL:
- * none. */
+/** The loop with constant bounds, inside the span and around `place`, that has this counter, or
+ * NULL if there is none. */
 const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
                               const ir_variable *counter);
 /** Logs the range of a span from its first row, whose address is in redcc__begin_N (N is `row`), to

@@ -15,7 +15,8 @@ bool begins_hulls(const inspector *self, const ir_node *loop);
 void begin_hulls(inspector *self, const ir_node *loop);
 void end_hulls(inspector *self);
 
-/** The step expression of the loop, if it visits only its ends; NULL: the program's own. */
+/** The step expression of the loop, if it visits only its ends, or NULL for the program's own
+ * step. */
 const char *hull_step(inspector *self, const ir_node *loop);
 
 #endif

@@ -15,10 +15,10 @@ enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
 typedef struct line_scan {
     size_t columns;  /* without marks */
     size_t indent;   /* the number of blanks at the beginning */
-    size_t comma;    /* position of the last blank after a comma; 0: none */
-    size_t blank;    /* position of the last blank of any kind; 0: none */
+    size_t comma;    /* position of the last blank after a comma, or 0 */
+    size_t blank;    /* position of the last blank of any kind, or 0 */
     bool is_remark;  /* the last blank is in a comment */
-    char quote;      /* the quote of the literal at the end of the part; 0: none */
+    char quote;      /* the quote of the literal at the end of the part, or 0 */
     bool is_escaped; /* the next byte of that literal is escaped */
     bool is_comment; /* the part ends in a comment */
 } line_scan;
