@@ -121,7 +121,7 @@ static bool find_compiler(session *s, struct cache *c) {
     if (!proper)
         return false;
     word_list files = {0};
-    if (!s->real.is_clang) /* clang compiles in the same program */
+    if (!s->real.is_clang) /* clang has no separate program (cc1) that compiles */
         words_add(s->memory, &files, arena_copy(s->memory, proper, strcspn(proper, "\n")));
     if (!identity_add_files(s->memory, &c->kept, &all, &files))
         return false;

@@ -26,7 +26,7 @@ typedef struct cached_run {
                               * the outputs */
     const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
-    const digest *beside;    /** a digest of other things that the outputs depend on, or NULL */
+    const digest *beside;    /**< a digest of other things that the outputs depend on, or NULL */
 } cached_run;
 
 /** Opens the store and identifies the programs. NULL if nothing is to be cached. */

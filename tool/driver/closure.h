@@ -19,15 +19,15 @@
 /** The starting points and the search path. */
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
-    const char *name;   /** the source's name; its folder is searched for headers */
+    const char *name;   /**< the source's name; its folder is searched for headers */
     word_list included; /**< the headers of -include and -imacros */
     word_list folders;  /**< the folders that are searched, in any order */
     word_list words;    /**< the command, which may define macros */
 } closure_request;
 
 typedef struct closure {
-    const char *unknown; /** the reason why the closure is unknown, or NULL if it is known */
-    digest state;        /** digest of names, contents, and of which names lead to the same file */
+    const char *unknown; /**< the reason why the closure is unknown, or NULL if it is known */
+    digest state;        /**< digest of names, contents, and of which names lead to the same file */
     map *files;          /**< devices and inodes of the files */
 } closure;
 

@@ -22,18 +22,19 @@ typedef struct item {
     const char *value; /**< the next word if the option takes one; else NULL */
     unsigned meaning;  /**< enum option_meaning; 0 for inputs and options not in the table */
     input_kind kind;
-    const char *language; /** for an input: the language set by -x; NULL: the file's name decides */
+    const char
+        *language; /**< for an input: the language set by -x; NULL: the file's name decides */
 } item;
 
 typedef struct command {
     unsigned count;
     const item *items;
     unsigned meaning;     /**< union of the items' meanings */
-    unsigned c_count;     /** number of inputs of kind INPUT_C */
-    unsigned compiled;    /** number of inputs of kind INPUT_C or INPUT_COMPILE */
-    unsigned linked;      /** number of inputs of kind INPUT_LINK, and of -l options */
-    const char *output;   /** the argument of -o, or NULL */
-    const char *language; /** the language set by the last -x, or NULL */
+    unsigned c_count;     /**< number of inputs of kind INPUT_C */
+    unsigned compiled;    /**< number of inputs of kind INPUT_C or INPUT_COMPILE */
+    unsigned linked;      /**< number of inputs of kind INPUT_LINK, and of -l options */
+    const char *output;   /**< the argument of -o, or NULL */
+    const char *language; /**< the language set by the last -x, or NULL */
     bool compiles;        /**< writes an object or assembler text for at least one input */
     bool links;
 } command;

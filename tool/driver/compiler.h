@@ -9,14 +9,14 @@
 
 typedef struct compiler {
     word_list words; /**< the command before the arguments: "gcc", or "ccache", "gcc" */
-    word_list bare;  /** the command without launchers, for queries, which ccache would count as
+    word_list bare;  /**< the command without launchers, for queries, which ccache would count as
                       * misses */
-    unsigned taken;  /** number of given words that name the compiler (launcher form) */
+    unsigned taken;  /**< number of given words that name the compiler (launcher form) */
     bool is_clang;
     bool is_cxx;          /**< treats a C file as C++ */
     bool is_cross;        /**< compiles for another machine */
-    const char *standard; /** -std= implied by the name (c99), or NULL */
-    bool found;           /** whether there is a compiler other than this program itself */
+    const char *standard; /**< -std= implied by the name (c99), or NULL */
+    bool found;           /**< whether there is a compiler other than this program itself */
 } compiler;
 
 /** Chooses in this order: the first given word, if it is a compiler's name (launcher form);

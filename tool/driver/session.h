@@ -14,15 +14,15 @@ typedef struct session {
     installation tools;
     compiler real;       /**< the compiler */
     word_list given;     /**< its arguments as given */
-    command command;     /** these arguments, parsed */
+    command command;     /**< these arguments, parsed */
     word_list options;   /**< $REDCC_OPTS */
     bool contracts;      /**< --order=any: the compiler may contract multiply and add */
     bool show;           /**< --redcc-show: print the commands, run nothing */
     bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
     bool strict;         /**< $REDCC_STRICT: a source that cannot be translated ends the build */
-    struct cache *cache; /** the cache (cache.h), or NULL */
-    const char *report;  /** the file for the build's report, or NULL */
+    struct cache *cache; /**< the cache (cache.h), or NULL */
+    const char *report;  /**< the file for the build's report, or NULL */
     const char *folder;  /**< the folder for temporaries; NULL before there is one */
     VECTOR(shared_folder) shared; /**< folders that other calls may use at the same time */
     const char *input;   /**< a file with the contents of standard input; NULL if it is no source */

@@ -11,8 +11,8 @@ typedef struct translation {
     const char *folder;     /**< the source's own folder for temporaries */
     const char *text;       /**< the translated text; NULL: compile the source itself */
     const char *predefined; /**< lists the compiler's own macros; NULL: clang's were sufficient */
-    struct cached *cached;  /** cached answers about the source (cache.h), or NULL */
-    const char *report;     /** the JSON report, to be kept, or NULL */
+    struct cached *cached;  /**< cached answers about the source (cache.h), or NULL */
+    const char *report;     /**< the JSON report, to be kept, or NULL */
     word_list read;         /**< the files that the compiler reads for the source, itself first */
     bool is_input;          /**< the source is standard input */
 } translation;

@@ -93,7 +93,7 @@ static bool is_entry_of(arena *a, const json_t *entry, const char *input, const 
     return file && same_file(joined(a, *directory, file), input);
 }
 
-/** The database; NULL, with a message in *wrong, if it cannot be read. */
+/** The database, or NULL, with a message in *wrong, if it cannot be read. */
 static json_t *load(arena *a, const char *path, const char **wrong) {
     json_error_t error;
     json_t *root = json_load_file(path, 0, &error);

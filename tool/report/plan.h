@@ -11,7 +11,8 @@ typedef struct plan_answer {
                          * one; "never": the loop runs sequentially unless a method is named. NULL:
                          * not translated, or run in fixed blocks */
     const char *cause;  /* reason for "remade" and "never"; otherwise NULL */
-    const char *advice; /* a change of the source that would help; NULL: no simple one */
+    const char *advice; /* a change of the source that would help, or NULL if there is no simple
+                         * one */
     ir_range range;     /* range of the cause; empty: the loop itself */
 } plan_answer;
 

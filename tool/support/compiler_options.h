@@ -34,7 +34,7 @@ enum option_meaning {
 /** One option; or several if the name is the beginning of a family ("-W"). */
 typedef struct option {
     const char *name;
-    unsigned meaning; /** bits of enum option_meaning */
+    unsigned meaning; /**< bits of enum option_meaning */
 } option;
 
 /** The entry for a word of the command line: the exact name, else the longest beginning that may

@@ -10,7 +10,7 @@ typedef struct extra_value {
     const char *given; /* the expression whose value the caller stores in the context, or NULL if
                         * the value is not in the context */
     const char *made;  /* if `given` is NULL: the expression by which each thread computes the
-                        * value; NULL: the runtime's macros provide the value */
+                        * value, or NULL if the runtime's macros provide it */
 } extra_value;
 
 #endif

@@ -16,7 +16,7 @@ typedef struct body_copy {
     edit_list edits;
     VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
     const ir_node *within;           /* the statement being printed, which the hook must not replace
-                                      * again; or NULL */
+                                      * again, or NULL */
 } body_copy;
 
 /** A hook that spells a node of the body; the context is the loop_text. It gives the local name of
