@@ -14,8 +14,8 @@ typedef struct condition_version {
     bool is_clang;
 } condition_version;
 
-/** Known, with a value; or unknown. An unknown has a `form`, the hash of its expression, so that
- *  two conditions of the same form have the same value, whatever the unknown names are. */
+/** A known or unknown value. An unknown one has a `form`, the hash of its expression, so that two
+ * conditions of the same form have the same value, whatever the unknown names are. */
 typedef struct condition_value {
     bool is_wrong; /**< the expression is not understood */
     bool is_known;

@@ -249,7 +249,8 @@ static const char *write_iteration_for(loop_text *loop, head *h) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (loop->arrays[i].local && facts->arrays[i].base->type->target &&
             !facts->arrays[i].base->type->target->spelling)
-            mark_variables(facts->arrays[i].base, is_mentioned); /* the base gives its type */
+            mark_variables(facts->arrays[i].base, is_mentioned); /* the pointer's type is taken from
+                                                                  * the base */
     add_variables(loop, is_mentioned, true, h);
     add_stand_ins(loop, h);
     writer iteration = {.depth = 1};

@@ -266,7 +266,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
 }
 
 /** May a read whose address is known only during execution overlap an own element or a scalar in
- * memory? They are stored after the last round, so the guard may find the overlap too late. */
+ * memory? Own elements and scalars are stored after the last round, so the guard may find the
+ * overlap too late. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)

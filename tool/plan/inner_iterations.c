@@ -12,8 +12,8 @@
 #include "plan/unconditional.h"
 
 enum {
-    LEAST_WORK = 4, /* floating-point operations and calls from which on another ownership check
-                     * pays */
+    LEAST_WORK = 4, /* number of floating-point operations and calls for which another ownership
+                     * check pays */
     MOST_SUMS = 12
 };
 

@@ -20,9 +20,9 @@ typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* the user has set `order` */
     const char *obstacle;   /* the reason why nothing may be written, or NULL */
-    const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
-                             * that functions of other files are those that were analysed, or NULL
-                             * if no loop depends on other files */
+    const char *linked;     /* text to append to the file, or NULL if no loop depends on other
+                             * files. It defines redcc__linked, which checks that functions of other
+                             * files are those that were analysed */
     lanes_wish lanes;
     const unsigned char *no_lanes; /* indexed by verdict; 1: write no form for several iterations at
                                     * once; NULL: all are 0 */

@@ -63,7 +63,7 @@ static void add_option(arena *a, const word_list *words, unsigned *i, const char
         const size_t length = strlen(known->name);
         word = arena_format(a, "%s%s", known->name, joined(a, directory, word + length));
     }
-    if (meaning & OPTION_LIBERTY) { /* redcc-cc compiles translated text without it */
+    if (meaning & OPTION_LIBERTY) { /* redcc-cc compiles translated text without such options */
         for (const char *const *rest = option_without_liberty(word); *rest; rest++)
             VECTOR_PUSH(a, flags, *rest);
         return;
