@@ -16,7 +16,7 @@
 const char *build_report_file(bool *by_run);
 
 /** Appends the contents of a JSON file as one line, atomically, with a member "directory": the
- *  current folder. False if either file cannot be read or written. */
+ * current folder. Returns false if either file cannot be read or written. */
 bool build_report_append(arena *a, const char *json_file, const char *report);
 
 /** Appends {"redcc": VERSION, "file": ..., "loops": [], "left_alone": why}, and "directory". */

@@ -29,7 +29,7 @@ typedef struct cached_run {
     const digest *beside;    /**< a digest of other things that the outputs depend on, or NULL */
 } cached_run;
 
-/** Opens the store and identifies the programs. NULL if nothing is to be cached. */
+/** Opens the store and identifies the programs. Returns NULL if nothing is to be cached. */
 struct cache *cache_open(session *s);
 
 /** Opens the cached answers about a source whose bytes are in `file`. Returns NULL if answers about

@@ -142,8 +142,8 @@ int compiled_text(session *s, const translation *t, const word_list *words, cons
     return status;
 }
 
-/* The file that -MF names. NULL if there is no -MF or several, if an option goes through -Wp,-M, or
- * if the file depends on missing headers because of -MG. */
+/* The file that -MF names. Returns NULL if there is no -MF or several, if an option goes through
+ * -Wp,-M, or if -MG makes the file name headers that do not exist. */
 static const char *dependency_file(const command *c) {
     const char *file = NULL;
     for (unsigned i = 0; i < c->count; i++) {

@@ -9,8 +9,8 @@
 
 #include "support/arena.h"
 
-/** The bytes of a file followed by a 0; sets *length unless length is NULL. NULL if it cannot be
- *  read. */
+/** The bytes of a file followed by a 0, or NULL if it cannot be read. Sets *length unless length is
+ * NULL. */
 char *file_read(arena *a, const char *path, size_t *length);
 
 /** Returns whether both files can be read and contain the same bytes. */

@@ -6,7 +6,7 @@
 #include "emit/base/loop.h"
 
 /** Records an obstacle if a macro would change the written text. Bytes copied from the user's file
- * are not checked: they mean the same as there. */
+ * are not checked: they keep their meaning. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
 #endif

@@ -164,8 +164,8 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
     record->tag = bins->streams[record->stream].tag_count++;
 }
 
-/** Merges the types of the record's values into its stream's types, of which a record may use only
- * the first ones. Returns false if the types differ, or the values are too many. */
+/** Merges the types of the record's values into its stream's types. A record may use only the first
+ * of these types. Returns false if the types differ, or the values are too many. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);

@@ -345,7 +345,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** As flows_into_updates, but only for the subscripts of a sum like p[c][d]. */
+/** Like flows_into_updates, but only for the subscripts of a sum like p[c][d]. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))

@@ -54,7 +54,7 @@ bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
 /** The LANE_VECTOR variable that the node names as a whole or by an element with uniform
  * subscripts, or NULL if there is none. */
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
-/** As lane_vector_root, but subscripts may differ between lanes. */
+/** Like lane_vector_root, but subscripts may differ between lanes. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
 /** Is the type double or float? Only these have vectors. */
 bool lane_is_real(const ir_type *type);

@@ -18,8 +18,8 @@
  * range (plan_sources). */
 typedef struct logged_source {
     const loop_source *fact;                                   /* the first of these sources */
-    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* each is true if it is true of at
-                                                                * least one of them */
+    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* each is true if it holds for at
+                                                                * least one of the sources */
 } logged_source;
 
 enum { SOURCE_NOT_LOGGED = -1 };

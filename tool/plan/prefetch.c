@@ -7,9 +7,9 @@
 #include "support/vector.h"
 
 enum {
-    /* Operations per iteration. Measured with regular accesses (script/bench lanes, fabric's drag):
-     * prefetching cost loops of 126 and 46 operations up to half of their speed, and a loop of 167
-     * operations gained as much. With irregular accesses all loops gained. */
+    /* Operations per iteration. Measured with regular accesses (script/bench lanes, the drag of a
+     * fabric): prefetching cost loops of 126 and 46 operations up to half of their speed, and a
+     * loop of 167 operations gained as much. With irregular accesses all loops gained. */
     LEAST_WORK = 12,
     /* Operations of the iterations between a prefetch and its access. */
     AWAITED = 4000,

@@ -42,7 +42,7 @@ bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect);
  *  sources are unverified. `in_slice`: only the slice is evaluated. */
 unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice);
 
-/** As unverified_begin, for the body of the function that the call names. Memory is unverified
+/** Like unverified_begin, for the body of the function that the call names. Memory is unverified
  * there (is_typed), and so are parameters with unverified arguments, except for pointers. The call
  * has an argument for each parameter. */
 unverified_reads unverified_begin_callee(const unverified_reads *s, const ir_node *call);

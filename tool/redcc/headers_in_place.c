@@ -128,8 +128,8 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
     return true;
 }
 
-/* Does the file, or a header, use the depth of inclusion? In place of its directive a header's text
- * has a depth that is less by one. */
+/* Does the file or a header use __INCLUDE_LEVEL__? A header's text that replaces its #include
+ * directive has a level that is lower by one. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
     bool is_found = strstr(unit->source->text, word) != NULL;

@@ -334,7 +334,8 @@ static header_uses used_headers(arena *a, const analysed_file *file, const reaso
 }
 
 /** May headers be put in place? The output then contains them, and does not follow their changes.
- * So only for a report, or for redcc-cc, which translates again when a header changes. */
+ * So this is done only for a report, or for redcc-cc, which translates again when a header
+ * changes. */
 static bool may_have_headers(const options *o) {
     return !o->output || o->compiler != COMPILER_ANY;
 }

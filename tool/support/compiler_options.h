@@ -38,7 +38,8 @@ typedef struct option {
 } option;
 
 /** The entry for a word of the command line: the exact name, else the longest beginning that may
- *  have text joined to it. NULL if the table has none (such an option has no meaning here). */
+ * have text joined to it. Returns NULL if the table has none (such an option has no meaning
+ * here). */
 const option *option_find(const char *word);
 
 /** The options to use in place of an OPTION_LIBERTY: its parts that change no bit of a result. The

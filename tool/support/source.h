@@ -22,8 +22,8 @@ typedef struct position {
     unsigned column; /* from 1, in bytes */
 } position;
 
-/** Reads a file ("-": standard input). NULL, and a message in *message, if it cannot be read, is a
- *  directory, or has 4 GiB or more. */
+/** Reads a file ("-": standard input). Returns NULL, and a message in *message, if the file cannot
+ * be read, is a directory, or has 4 GiB or more. */
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
@@ -44,7 +44,7 @@ bool source_is_name_byte(char c);
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 /** Does the name occur in text[0 .. length)? */
 bool source_has_name(const char *text, size_t length, const char *name);
-/** As source_has_name, for a search that must not miss the word. A `$` or a byte of UTF-8 next to
+/** Like source_has_name, for a search that must not miss the word. A `$` or a byte of UTF-8 next to
  * it may belong to no name (-fno-dollars-in-identifiers), so the word counts as found there,
  * too. */
 bool source_has_word(const char *text, size_t length, const char *word);

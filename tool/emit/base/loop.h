@@ -56,7 +56,7 @@ typedef struct loop_text {
     ir_range obstacle_range;
 
     const array_text *arrays; /* same indices as facts->arrays */
-    const char *counter_type; /* its spelling in a declaration or cast of the counter */
+    const char *counter_type; /* the spelling of the counter's type, for a declaration or a cast */
 
     bool is_unfused; /* contraction is turned off in the loop's functions and its block */
     outline_text outline;

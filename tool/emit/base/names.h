@@ -15,7 +15,7 @@ const char *outlined_name(loop_text *loop, const char *part);
 const char *loop_lanes_name(loop_text *loop);
 /** The declaration of an object of this type in a function written before the user's. */
 const char *declaration_text(loop_text *loop, const ir_type *type, const char *name);
-/** As declaration_text, for an object that is assigned after its declaration. */
+/** Like declaration_text, for an object that is assigned after its declaration. */
 const char *assignable_declaration_text(loop_text *loop, const ir_type *type, const char *name);
 /** The text that replaces the node if it is a variable that slice or body get by
  *  address; or NULL. */

@@ -183,7 +183,8 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
         a, is_floating(kind) ? text : arena_format(a, "(%s)%s", bins_kind_text(kind), text));
 }
 
-/** The values of the record, as an argument of the appending macro. */
+/** The values of the record as one argument of a macro such as REDCC_UPDATE_BY, which appends the
+ * record. */
 static const char *values_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const unsigned count = stream_value_count(stream);

@@ -23,7 +23,7 @@ typedef struct body_copy {
  * an array's base, of an own element, of a forwarded value, or of a variable passed by address. It
  * returns NULL for other nodes, which are spelled as the user wrote them. */
 const char *local_name(const ir_node *node, void *context);
-/** As local_name, for code that the program may not execute: signed arithmetic wraps around. */
+/** Like local_name, for code that the program may not execute: signed arithmetic wraps around. */
 const char *wrapping_name(const ir_node *node, void *context);
 
 /** Replaces bytes [begin, end). The line ends among them are kept, so that the following text keeps

@@ -62,7 +62,7 @@ const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type);
 
 /** The expression for all lanes, converted to a type that satisfies lane_is_real. */
 lane_value lane_expression(vectoriser *l, const ir_node *node, const ir_type *to);
-/** As lane_expression, but always a vector. */
+/** Like lane_expression, but the result is always a vector. */
 const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to);
 /** The expression for lane redcc__l; the user's own if it is uniform. */
 const char *lane_scalar(vectoriser *l, const ir_node *node);

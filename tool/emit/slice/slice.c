@@ -26,7 +26,8 @@ static bool is_declared_in_block(const ir_node *node) {
 }
 
 /** Is the source's address logged before this statement or declarator? It is logged before the very
- *  declarator that reads it, since preceding ones of the declaration may compute the address. */
+ * declarator that reads it, since preceding declarators of the same declaration may compute the
+ * address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
@@ -167,8 +168,8 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Do enclosing spans log all rows of the span, and does nothing else need its header? Then the
- * span is not written. */
+/** Do enclosing spans log all rows of the span, and does nothing else need the span's header? Then
+ * the span is not written. */
 static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
     return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
