@@ -23,8 +23,8 @@ typedef struct condition_value {
     uint64_t form;
 } condition_value;
 
-/** Evaluates a preprocessor expression (C17 6.10.1). Only the names of the version have known
- * values, also as operands of `defined`. */
+/** Evaluates a preprocessor expression (C17 6.10.1). Only the names that `version` determines have
+ * known values, also as operands of `defined`. */
 condition_value condition_evaluate(const char *expression, condition_version version);
 
 /** Returns whether both are the same value, or the same unknown; false if either is wrong. */

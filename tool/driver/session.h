@@ -24,7 +24,7 @@ typedef struct session {
     struct cache *cache; /**< the cache (cache.h), or NULL */
     const char *report;  /**< the file for the build's report, or NULL */
     const char *folder;  /**< the folder for temporaries; NULL before there is one */
-    VECTOR(shared_folder) shared; /**< folders that other calls may use at the same time */
+    VECTOR(shared_folder) shared; /**< folders shared with other processes (temporary.h) */
     const char *input;   /**< a file with the contents of standard input; NULL if it is no source */
     unsigned attempts;   /**< the number of compiler runs so far, by which their files are named */
     word_list fallbacks; /**< sources whose translated text did not compile */

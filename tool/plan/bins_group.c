@@ -77,7 +77,7 @@ static void find_groups(grouping *g, const ir_node *node) {
     g->begin = g->count;
 }
 
-/** Does each group that updates one of the arrays update both? */
+/** Does each group that updates either array update both? */
 static bool are_always_together(const grouping *g, unsigned a, unsigned b) {
     for (unsigned group = 0; group < g->count; group++)
         if (has_array(g, group, a) != has_array(g, group, b))

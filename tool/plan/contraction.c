@@ -8,8 +8,9 @@
  * Usually contraction is forbidden in the functions that contain loops and in the generated text.
  * It is forbidden in the whole file if a loop calls a function of the file with a contractible
  * expression: gcc may inline the callee into one form of the loop, and call it, contracted, in
- * another. The same holds if a function cannot get the attribute (may_have_attribute), if a loop
- * has lanes, if the file may name a target, or if a macro changes the pragma.
+ * another. The same holds if a function cannot get the attribute that forbids contraction
+ * (may_have_attribute), if a loop has lanes, if the file may select another processor
+ * (`target`), or if a macro changes the pragma.
  */
 #include "plan/contraction.h"
 

@@ -6,10 +6,10 @@
 
 #include "emit/base/loop.h"
 
-/** declare_entry_values declares redcc__from_N, the values on entry: with `by_header` those of
- * variables that the loop's header initialises; otherwise those of the others, and invariant steps.
- * stepped_value is the initialiser, " = ...", of private variable `number` in an iteration.
- * write_stepped_values assigns the values after the loop. */
+/** declare_entry_values declares redcc__from_N, the values on entry. If `by_header`, it does so for
+ * variables that the loop's header initialises; otherwise for all other variables, and for
+ * invariant steps. stepped_value is the initialiser, " = ...", of private variable `number` in an
+ * iteration. write_stepped_values assigns the values after the loop. */
 void declare_entry_values(loop_text *loop, writer *out, bool by_header);
 const char *stepped_value(loop_text *loop, unsigned number);
 void write_stepped_values(loop_text *loop, writer *out);

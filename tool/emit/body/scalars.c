@@ -108,7 +108,8 @@ static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
                : "";
 }
 
-/** Writes a single statement, a block, in place of the user's. */
+/** Writes a block in place of the user's statement. The block is a single statement, so it may
+ * follow an `if` without braces. */
 static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const char *type = type_of(&loop->facts->scalars[number]);
     writer_line(out,

@@ -16,7 +16,7 @@
 /* ---- updates --------------------------------------------------------------------------------- */
 
 typedef struct update_printer {
-    printer printer; /* first: the printer's hook reaches the other fields through it */
+    printer printer; /* must come first: print_update casts the printer to an update_printer */
     vectoriser *l;
 } update_printer;
 
