@@ -12,8 +12,8 @@
 struct cache {
     store kept;
     digest compiler;
-    digest program;       /* the translator without its libraries */
-    digest libraries_key; /* under which the list of its libraries is cached */
+    digest program;       /* contents of the translator's program, without its libraries */
+    digest libraries_key; /* the key under which the list of its libraries is cached */
     digest translator;
     word_list folders;
 };
@@ -42,7 +42,8 @@ bool answerers_options_are_plain(const word_list *options) {
 
 /* ---- the compiler ---------------------------------------------------------------------------- */
 
-/* Adds the programs that run when the compiler is called: launchers, and the compiler itself. */
+/* Adds to the digest the programs that run when the compiler is called: launchers (ccache), and the
+ * compiler itself. */
 static bool add_programs(session *s, const store *kept, digester *d) {
     const word_list *words = &s->real.words;
     unsigned i = 0;
@@ -55,8 +56,8 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* The compiler's output for these options, kept under `of_whom`, the compiler's identity: no source
- * may affect it. NULL: the compiler fails. */
+/* The compiler's output for these options. It is cached under `of_whom`, the compiler's identity,
+ * because no source can affect it. Returns NULL if the compiler fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;
@@ -84,8 +85,8 @@ static const char *ask_compiler(session *s, const store *kept, const digest *of_
     return text;
 }
 
-/* Adds the folders in the output of -v, whatever its language, including nonexistent ones. Other
- * paths in the output may be added as well. */
+/* Adds to `folders` the folders in the output of -v, in any language, including nonexistent ones.
+ * Other paths in the output may be added as well. */
 static void add_printed_folders(arena *a, const char *text, word_list *folders) {
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t end = strcspn(line, "\n");
@@ -97,7 +98,8 @@ static void add_printed_folders(arena *a, const char *text, word_list *folders) 
     }
 }
 
-/* Adds the loader's cache: if it changes, names of shared libraries may lead to other files. */
+/* Adds the loader's cache to the digest: if it changes, names of shared libraries may lead to other
+ * files. */
 static bool add_loader(session *s, const store *kept, digester *d) {
     static const char path[] = "/etc/ld.so.cache";
     word_list files = {0};
@@ -119,7 +121,7 @@ static bool find_compiler(session *s, struct cache *c) {
     if (!proper)
         return false;
     word_list files = {0};
-    if (!s->real.is_clang) /* clang compiles in the same program */
+    if (!s->real.is_clang) /* clang has no separate program (cc1) that compiles */
         words_add(s->memory, &files, arena_copy(s->memory, proper, strcspn(proper, "\n")));
     if (!identity_add_files(s->memory, &c->kept, &all, &files))
         return false;
@@ -158,7 +160,8 @@ static bool know_translator(session *s, struct cache *c, const char *list, size_
     return is_known;
 }
 
-/* Has the translator list its libraries and folders for an empty source: once, then cached. */
+/* Has the translator list its libraries and folders for an empty source. This is done once; then
+ * the list is cached. */
 static const char *ask_translator(session *s, const struct cache *c, size_t *length) {
     arena *a = s->memory;
     store_part kept;
@@ -224,8 +227,8 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* Adds the headers and folders that one item of the command names. NULL, or the reason why it
- * cannot be followed. */
+/* Adds to the request the headers and folders that one item of the command names. Returns NULL, or
+ * the reason why the item cannot be followed. */
 static const char *add_of_item(session *s, closure_request *request, const item *one) {
     static const char *const folders[] = {"-I", "-iquote", "-isystem", "-idirafter"};
     static const char *const files[] = {"-include", "-imacros"};

@@ -16,7 +16,7 @@
 /* One run of the compiler, whose messages are held back until its result is accepted. */
 typedef struct attempt {
     int status;
-    bool same; /* of a text: the compiler read the source's headers */
+    bool same; /* for a translated text: the compiler read the same headers as for the source */
     const char *output;
     const char *error;
 } attempt;
@@ -40,8 +40,8 @@ static void show_attempt(const session *s, const attempt *made) {
     file_show(made->error, stderr);
 }
 
-/* A signal to this process, or SIGINT or SIGTERM to the compiler, ends the build without another
- * attempt. */
+/* Was the run interrupted? A signal to this process, or SIGINT or SIGTERM to the compiler, ends the
+ * build without another attempt. */
 static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
 }
@@ -62,7 +62,7 @@ bool build_can_add_runtime(const session *s) {
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 
-/* Adds the runtime if a linked object has loops for it. Their references are weak, so a linker
+/* Adds the runtime if a linked object has loops for it. The loops refer to it weakly, so a linker
  * would not load it from the archive. */
 static void add_runtime(session *s, word_list *list, bool has_loops) {
     arena *a = s->memory;
@@ -85,8 +85,8 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
     words_add(a, list, "-Wl,--pop-state");
 }
 
-/* Runs the original command; a link of loops gets the runtime, and is repeated without it on
- * failure. */
+/* Runs the original command. If it links objects with loops, the runtime is added; if that fails,
+ * the command is repeated without the runtime. */
 static _Noreturn void build_original(session *s) {
     if (!build_can_add_runtime(s) || !loops_are_linked(s))
         session_become_compiler(s);
@@ -129,8 +129,8 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
     add_runtime(s, list, true);
 }
 
-/* Adds the command that compiles one translated text to `object`; NULL: to the output that the
- * command's -c or -S has by default. */
+/* Adds the command that compiles one translated text to `object`. If `object` is NULL, the
+ * command's -c or -S has its default output. */
 static void add_alone(session *s, word_list *list, const translation *t, const char *object) {
     arena *a = s->memory;
     words_add_all(a, list, &s->real.words);
@@ -184,9 +184,10 @@ static attempt try_text(session *s, const translation *t, const word_list *words
     return made;
 }
 
-/* Compiles a translated text. It contains a loop's body several times, and would repeat every
- * warning. So the messages shown are those of the source itself. With -Werror, the text may fail by
- * warnings that the source does not have: then it is compiled once more without warnings. */
+/* Compiles a translated text. Since the text contains a loop's body several times, it would repeat
+ * each warning. So the messages shown are those of the source itself. With -Werror the text may
+ * fail because of warnings that the source does not have. In that case it is compiled once more
+ * without warnings. */
 static attempt compile_text(session *s, const translation *t, word_list *words,
                             const char *object) {
     attempt made = try_text(s, t, words, object);
@@ -210,7 +211,8 @@ static attempt compile_text(session *s, const translation *t, word_list *words,
     return made;
 }
 
-/* Notes that the file's results may differ from those of a build with an option such as -Ofast. */
+/* Prints a note that the file's results may differ from those of a build with an option such as
+ * -Ofast. */
 static void note_liberty(const session *s, const translation *t) {
     const char *liberty = session_liberty(s);
     if (liberty && !s->show)
@@ -220,7 +222,8 @@ static void note_liberty(const session *s, const translation *t) {
                      t->source->text, liberty);
 }
 
-/* Compiles a translated text; on success its messages are shown, on failure nothing is. */
+/* Compiles a translated text. On success its messages are shown; on failure none are. Returns
+ * whether it succeeded. */
 static bool compile(session *s, const translation *t, word_list *words, const char *object) {
     attempt made = compile_text(s, t, words, object);
     if (was_interrupted(&made))
@@ -251,7 +254,8 @@ static bool write_dependencies(session *s, const translation *first) {
     return compiled_dependencies(s, first, &words) == 0;
 }
 
-/* Runs the original command although sources were translated, and reports the reason for each. */
+/* Runs the original command although sources were translated. Reports `why` for each such
+ * source. */
 static _Noreturn void build_untranslated(session *s, const translation *translations,
                                          unsigned count, const char *why) {
     for (unsigned i = 0; i < count; i++)
@@ -285,7 +289,8 @@ static const char *object_of(session *s, const translation *t) {
     return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
-/* Ends -c or -S of several sources: compiles together those whose translated texts are not used. */
+/* Completes a command with -c or -S and several sources: compiles together those whose translated
+ * texts are not used. */
 static _Noreturn void build_separately(session *s, const translation *translations,
                                        const bool *done, unsigned count) {
     word_list rest = {0};
@@ -309,7 +314,7 @@ static bool any_done(const bool *done, unsigned count) {
     return false;
 }
 
-/* Links: the objects of the translated texts replace their sources in the command. */
+/* Links the program: the objects of the translated texts replace their sources in the command. */
 static _Noreturn void build_linked(session *s, const translation *translations, const bool *done,
                                    unsigned count) {
     arena *a = s->memory;

@@ -19,8 +19,8 @@ struct totals {
     json_int_t remade;  /* parallel loops that need a new plan for each execution */
     json_int_t never;   /* parallel loops that by default do not run in parallel */
     json_t *refused;    /* reason's id and slug -> number of loops */
-    json_t *in_headers; /* loops of headers that were counted */
-    json_t *reasons;    /* reason why a file was left alone -> number of files */
+    json_t *in_headers; /* keys of the loops in headers that have been counted */
+    json_t *reasons;    /* reason why a file was compiled unchanged -> number of files */
 };
 
 static void count_one(json_t *counts, const char *text) {
@@ -66,7 +66,7 @@ static void add_loop(struct totals *totals, const json_t *loop, bool *translated
     count_one(totals->refused, text);
 }
 
-/* False if the object does not belong in a build's report. */
+/* Returns false if the object does not belong in a build's report. */
 static bool add_file(struct totals *totals, const json_t *file) {
     const json_t *loops = json_object_get(file, "loops");
     if (!json_is_array(loops))

@@ -25,9 +25,9 @@ typedef struct kept_answer {
 struct cached {
     closure_request request;
     closure found;
-    digest project;       /* of the inputs read about functions of other files */
-    const char *stranger; /* a file that was read but is not in the closure; NULL: none */
-    digest asked;         /* the key of the run that cached_restore was last called for */
+    digest project;       /* digest of what is read about functions of other files */
+    const char *stranger; /* a file that was read but is not in the closure, or NULL */
+    digest asked;         /* key of the last run for which cached_restore was called */
     VECTOR(kept_answer) fresh;
 };
 
@@ -43,8 +43,8 @@ struct cache *cache_open(session *s) {
 
 /* ---- a source -------------------------------------------------------------------------------- */
 
-/* The files of the project are read once, not for each of its sources. `key`: of all files, NULL if
- * one has just changed. */
+/* Reads the project's files, once for all of its sources. `key`: the key of all files in the store,
+ * or NULL if a file has just changed, so that nothing is stored. */
 static const project *project_of(session *s, const char *file, const word_list *list,
                                  const digest *key) {
     arena *a = s->memory;
@@ -60,8 +60,8 @@ static const project *project_of(session *s, const char *file, const word_list *
     return project_from(a, file, &files);
 }
 
-/* The project's digest for the source (project_digest). It is cached by source: reading the
- * functions of hundreds of files would take longer than all other work. */
+/* Returns the project's digest for the source (project_digest). It is cached by source, because
+ * reading the functions of hundreds of files would take longer than all other work. */
 static digest digest_around(session *s, const char *file) {
     arena *a = s->memory;
     const word_list list = project_list(a, file);
@@ -115,8 +115,8 @@ static bool is_output(const cached_run *run, const char *path) {
     return false;
 }
 
-/* Adds a word without the name of the temporary folder, which differs in each call. Files in the
- * folder that are no outputs are read. */
+/* Adds a word without the name of the temporary folder, which differs in each call. If the word
+ * names a file in that folder that is not an output, adds the file's contents. */
 static void add_word(session *s, digester *d, const cached_run *run, const char *word) {
     const char *at = s->folder ? strstr(word, s->folder) : NULL;
     if (!at) {
@@ -200,15 +200,15 @@ static void keep(session *s, cached *c, const kept_answer *answer) {
     VECTOR_PUSH(s->memory, &c->fresh, *answer);
 }
 
-/* An answer that names this call's folder is invalid in the next call. The search is for the part
- * of the name that only this call has, because the rest may be written with backslashes. */
+/* Does the answer name this call's folder? Then it is invalid in the next call. The search looks
+ * only for the last part of the name, because the rest may be written with backslashes. */
 static bool names_folder(const session *s, const store_part *part) {
     const char *own = path_base(s->folder);
     return memmem(part->bytes, part->length, own, strlen(own)) != NULL;
 }
 
-/* Does the run's answer depend only on its inputs? A translator may fail once because of a full
- * disk, but always if it cannot parse the source. */
+/* Does the run's answer depend only on its inputs? If a translator fails, the cause may be
+ * temporary (a full disk), unless the translator cannot parse the source. */
 static bool is_lasting(session *s, const cached_run *run, int status) {
     if (status != 1 || run->program != CACHE_TRANSLATOR)
         return status == 0;
@@ -221,7 +221,7 @@ static void check_file(cached *c, const char *path) {
         c->stranger = path;
 }
 
-/* Checks the translator's list of inputs. */
+/* Checks that the closure contains each file in the translator's list of inputs. */
 static void check_list(session *s, cached *c, const char *list) {
     size_t length;
     const char *text = file_read(s->memory, list, &length);

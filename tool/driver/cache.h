@@ -2,9 +2,9 @@
 /**
  * A cache of the translator's and the compiler's answers about a source, from one call of redcc-cc
  * to the next. The key covers everything that an answer depends on: the program, its arguments, the
- * environment, and the contents of all files that a preprocessor could read (closure.h). A source
- * for which these are unknown is not cached. An answer is stored only if all files that were read
- * are in the closure and nothing has changed in the meantime. Not thread-safe.
+ * environment, and the contents of all files that a preprocessor could read (closure.h). If the set
+ * of these files is unknown, the source is not cached. An answer is stored only if all files that
+ * were read are in the closure and nothing has changed in the meantime. Not thread-safe.
  */
 #ifndef DRIVER_CACHE_H
 #define DRIVER_CACHE_H
@@ -12,10 +12,10 @@
 #include "driver/digest.h"
 #include "driver/session.h"
 
-/** The program that answers. */
+/** The program whose answers are cached. */
 typedef enum cache_program { CACHE_TRANSLATOR, CACHE_COMPILER } cache_program;
 
-/** One source of the command. */
+/** The cached answers about one source of the command. */
 typedef struct cached cached;
 
 /** A program's run, and the files that it writes. */
@@ -26,31 +26,33 @@ typedef struct cached_run {
                               * the outputs */
     const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
-    const digest *beside;    /**< a digest of other things that the outputs depend on; NULL: none */
+    const digest *beside;    /**< a digest of other things that the outputs depend on, or NULL */
 } cached_run;
 
-/** Opens the store and identifies the programs. NULL if nothing is to be cached. */
+/** Opens the store and identifies the programs. Returns NULL if nothing is to be cached. */
 struct cache *cache_open(session *s);
 
-/** Begins with a source whose bytes are in `file`. NULL if answers about it are not cached. Then
- * cached_run_program runs the program every time, and cached_restore and cached_keep must not be
- * called. */
+/** Opens the cached answers about a source whose bytes are in `file`. Returns NULL if answers about
+ * it are not cached. Then cached_run_program runs the program every time, and cached_restore and
+ * cached_keep must not be called. */
 cached *cached_begin(session *s, const item *source, const char *file);
 
 /** Runs a program (session_run), or restores its outputs. Returns its exit status. */
 int cached_run_program(session *s, cached *c, const cached_run *run);
 
-/** Restores the outputs and the exit status of an earlier run; false if none is kept. */
+/** Restores the outputs and the exit status of an earlier run; false if there is none in the
+ * cache. */
 bool cached_restore(session *s, cached *c, const cached_run *run, int *status);
 
-/** Keeps the outputs of the run that cached_restore was last called for, and that ended with this
- * status, if they depend on its inputs alone. */
+/** Stores the outputs of the run for which cached_restore was last called, and which ended with
+ * this status, if they depend on its inputs alone. */
 void cached_keep(session *s, cached *c, const cached_run *run, int status);
 
-/** Fetches a text by its subject and by the words that it depends on. NULL: not in the cache. */
+/** Returns the cached text about the subject `about`, which depends on `words`. Returns NULL if it
+ * is not in the cache. */
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words);
 
-/** Stores such a text. */
+/** Stores such a text (cached_text). */
 void cached_keep_text(session *s, cached *c, const char *about, const word_list *words,
                       const char *text);
 

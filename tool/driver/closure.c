@@ -30,7 +30,7 @@ typedef struct search {
     arena *arena;
     word_list folders; /* the search folders that exist */
     closure found;
-    lookups *seen; /* what state depends on */
+    lookups *seen; /* what the digest `state` depends on */
     digester state;
     map *tried;       /* the paths already tried */
     word_list texts;  /* the texts of files */
@@ -38,7 +38,7 @@ typedef struct search {
     map *met;         /* pairs of a file and the folder in which it was found */
     map *names;       /* names already searched in all folders */
     map *below;       /* folders of paths: does each exist? */
-    uintptr_t count;  /* different files so far */
+    uintptr_t count;  /* number of different files so far */
 } search;
 
 static bool is_new(map *m, const char *key) {
@@ -80,7 +80,8 @@ static bool is_new_in_folder(search *s, const char *name, const struct stat *abo
     return is_first;
 }
 
-/* Adds an existing file: its name, contents and identity; and its includes. */
+/* Adds an existing file to the closure: its name, contents and identity, and the headers that it
+ * includes. */
 static void add_file(search *s, const char *name, int file) {
     struct stat about;
     if (fstat(file, &about) != 0 || (!S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode))) {
@@ -113,8 +114,8 @@ static void add_file(search *s, const char *name, int file) {
     read_names(s, name, text, (size_t)about.st_size);
 }
 
-/* Gives up if a precompiled form of the header exists: the compiler would read that,
- * which is no C. */
+/* Gives up if a precompiled form of the header exists: the compiler would read that form, which is
+ * not C. */
 static void check_precompiled(search *s, const char *path, const char *ending) {
     const char *other = arena_format(s->arena, "%s.%s", path, ending);
     if (access(other, F_OK) == 0)
@@ -141,7 +142,7 @@ static bool folder_is_absent(search *s, const char *path) {
     return *known == (const void *)absent;
 }
 
-/* Adds a path that may hold a header. */
+/* Tries a path at which a header may be: adds the file if it exists. */
 static void try_path(search *s, const char *path) {
     if (s->found.unknown || folder_is_absent(s, path) || !is_new(s->tried, path))
         return;
@@ -202,8 +203,8 @@ static void read_names(search *s, const char *name, const char *text, size_t len
         try_everywhere(s, names.angled.items[i]);
 }
 
-/* Keeps the folders that exist. The state contains which do not, so that it changes if one is
- * created later. */
+/* Finds the folders that exist. The digest `state` also covers those that do not, so that it
+ * changes if one is created later. */
 static void find_folders(search *s, const word_list *all) {
     for (unsigned i = 0; i < all->count; i++) {
         struct stat about;

@@ -19,22 +19,22 @@
 /** The starting points and the search path. */
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
-    const char *name;   /**< its name; its folder is searched for headers */
+    const char *name;   /**< the source's name; its folder is searched for headers */
     word_list included; /**< the headers of -include and -imacros */
     word_list folders;  /**< the folders that are searched, in any order */
     word_list words;    /**< the command, which may define macros */
 } closure_request;
 
 typedef struct closure {
-    const char *unknown; /**< the reason why the closure is unknown; NULL: it is known */
-    digest state;        /**< of names, contents, and which names lead to one file */
+    const char *unknown; /**< the reason why the closure is unknown, or NULL if it is known */
+    digest state;        /**< digest of names, contents, and of which names lead to the same file */
     map *files;          /**< devices and inodes of the files */
 } closure;
 
-/** Finds the closure, without reading a file if none has changed since it was found before. */
+/** Finds the closure. If no file has changed since it was last found, no file is read. */
 closure closure_find(arena *a, const store *kept, const closure_request *request);
 
-/** Whether `path` is one of the closure's files. */
+/** Returns whether `path` is one of the closure's files. */
 bool closure_has(const closure *c, const char *path);
 
 #endif

@@ -53,8 +53,8 @@ const char *item_argument(const item *i) {
     return found ? i->text + strlen(found->name) : "";
 }
 
-/* The meaning of a -Wp, list. The translator accepts -Wp,-DA,-UB, but no list with
- * other elements. */
+/* The meaning of an option of the form -Wp,LIST. The translator accepts -Wp,-DA,-UB, but no list
+ * with other elements. */
 static unsigned meaning_of_preprocessor_list(const char *word, unsigned meaning) {
     if (!(meaning & OPTION_PARSE))
         return meaning;

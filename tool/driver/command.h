@@ -22,18 +22,19 @@ typedef struct item {
     const char *value; /**< the next word if the option takes one; else NULL */
     unsigned meaning;  /**< enum option_meaning; 0 for inputs and options not in the table */
     input_kind kind;
-    const char *language; /**< of an input: as set by -x; NULL: the file's name decides */
+    const char
+        *language; /**< for an input: the language set by -x; NULL: the file's name decides */
 } item;
 
 typedef struct command {
     unsigned count;
     const item *items;
     unsigned meaning;     /**< union of the items' meanings */
-    unsigned c_count;     /**< inputs of kind INPUT_C */
-    unsigned compiled;    /**< inputs of kind INPUT_C and INPUT_COMPILE */
-    unsigned linked;      /**< inputs of kind INPUT_LINK, and -l */
-    const char *output;   /**< the argument of -o; NULL: there is none */
-    const char *language; /**< as set by -x at the end; NULL: not set */
+    unsigned c_count;     /**< number of inputs of kind INPUT_C */
+    unsigned compiled;    /**< number of inputs of kind INPUT_C or INPUT_COMPILE */
+    unsigned linked;      /**< number of inputs of kind INPUT_LINK, and of -l options */
+    const char *output;   /**< the argument of -o, or NULL */
+    const char *language; /**< the language set by the last -x, or NULL */
     bool compiles;        /**< writes an object or assembler text for at least one input */
     bool links;
 } command;
@@ -42,7 +43,7 @@ typedef struct command {
  *  the compiler treats C files as C++ (g++). */
 command command_parse(arena *a, const word_list *words, bool c_is_cxx);
 
-/** Whether a configure script, CMake or Meson tests the compiler with this command. */
+/** Returns whether a configure script, CMake or Meson tests the compiler with this command. */
 bool command_is_probe(const command *c, const char *folder);
 
 /** The argument of an item's option, joined or as the next word: "x.o" of "-ox.o"; "" if none. */
@@ -51,18 +52,19 @@ const char *item_argument(const item *i);
 /** Adds an item's words. */
 void item_add(arena *a, word_list *list, const item *i);
 
-/** Adds an item's words; for an OPTION_LIBERTY, only what does not change results (-O3
- *  for -Ofast). */
+/** Adds an item's words. If it has OPTION_LIBERTY, adds only what does not change results (-O3 for
+ * -Ofast). */
 void item_add_strict(arena *a, word_list *list, const item *i);
 
-/** Adds every option whose meaning shares no bit with `without`, but no inputs, -o and -x. If
- * `without` contains OPTION_LIBERTY, such options are added by item_add_strict. */
+/** Adds every option whose meaning shares no bit with `without`, but not inputs, -o and -x. If
+ * `without` contains OPTION_LIBERTY, options with it are added by item_add_strict. */
 void command_add_options(arena *a, word_list *list, const command *c, unsigned without);
 
-/** Adds the options that the translator's parser needs; is_strict: by item_add_strict. */
+/** Adds the options that the translator's parser needs. If is_strict, they are added by
+ * item_add_strict. */
 void command_add_parse_options(arena *a, word_list *list, const command *c, bool is_strict);
 
-/** Whether the word looks like a source, object or library by its ending. */
+/** Returns whether the word looks like a source, object or library by its ending. */
 bool name_is_input(const char *word);
 
 #endif

@@ -18,9 +18,9 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
     return false;
 }
 
-/* Is it an option that names no other file than the headers and the object, and that does not
- * depend on the machine? Options that match no list are not plain, except for -f options without
- * a value. */
+/* Is this an option that names no file but headers and the object, and that does not depend on the
+ * machine? An option that matches no list does not count as plain, except for -f options without a
+ * value. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",
@@ -86,7 +86,7 @@ static bool has_option(const command *c, const char *word) {
     return false;
 }
 
-/* The output of the command's -c; NULL: it has another, or none. */
+/* The object that the command's -c writes, or NULL if the command has another output, or none. */
 static const char *object_of_command(session *s, const translation *t) {
     if (!has_option(&s->command, "-c") || has_option(&s->command, "-S"))
         return NULL;
@@ -103,8 +103,8 @@ static bool has_debugging_information(const command *c) {
     return false;
 }
 
-/* Other things that an object depends on: the assembler and, with debugging information, the folder
- * and its name in $PWD. False: they are unknown. */
+/* Sets *found to a digest of other things on which an object depends: the assembler and, with
+ * debugging information, the folder and its name in $PWD. Returns false if they are unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();
@@ -142,8 +142,8 @@ int compiled_text(session *s, const translation *t, const word_list *words, cons
     return status;
 }
 
-/* The file that -MF names. NULL: there is no -MF, or several; an option goes through -Wp,-M; or
- * by -MG the file depends on missing headers. */
+/* The file that -MF names. Returns NULL if there is no -MF or several, if an option goes through
+ * -Wp,-M, or if -MG makes the file name headers that do not exist. */
 static const char *dependency_file(const command *c) {
     const char *file = NULL;
     for (unsigned i = 0; i < c->count; i++) {

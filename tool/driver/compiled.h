@@ -7,8 +7,8 @@
 #include "driver/translate.h"
 
 /** Compiles the text by the command `words` to `object` (NULL: the command's own output). Returns
- *  the exit status; in *same whether the compiler read the source's headers
- *  (translation_read_same). */
+ * the exit status. Sets *same to whether the compiler read the source's headers
+ * (translation_read_same). */
 int compiled_text(session *s, const translation *t, const word_list *words, const char *object,
                   process_streams streams, bool *same);
 

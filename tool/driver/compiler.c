@@ -17,7 +17,7 @@ static bool is_self(const char *self, const char *path) {
 }
 
 /* The path that execvp would use for `name`, skipping entries that lead back to this program
- * (counted in *skipped); NULL: none. */
+ * (counted in *skipped), or NULL if there is none. */
 static const char *find_program(arena *a, const char *self, const char *name, unsigned *skipped) {
     if (strchr(name, '/')) {
         *skipped += is_self(self, name);
@@ -40,8 +40,8 @@ static const char *find_program(arena *a, const char *self, const char *name, un
     return NULL;
 }
 
-/* Adds a program's name, or its full path if the name alone would start this program. False: no
- * other program has the name. */
+/* Adds a program's name, or its full path if the name alone would start this program. Returns false
+ * if no other program has the name. */
 static bool add_program(arena *a, word_list *list, const char *self, const char *name) {
     unsigned skipped = 0;
     const char *path = find_program(a, self, name, &skipped);
@@ -64,7 +64,8 @@ static bool names_compiler(arena *a, const char *word) {
            find_program(a, NULL, word, &skipped);
 }
 
-/* Launcher form: takes the compiler's name, and those of further launchers, from the words. */
+/* Takes the compiler's name, and those of launchers before it, from the words, if the first word is
+ * such a name (launcher form). */
 static void take_from_front(arena *a, const char *self, unsigned count, char *const *words,
                             compiler *c) {
     while (c->taken < count && names_compiler(a, words[c->taken])) {

@@ -9,13 +9,14 @@
 
 typedef struct compiler {
     word_list words; /**< the command before the arguments: "gcc", or "ccache", "gcc" */
-    word_list bare;  /**< without launchers, for queries, which a cache would count as misses */
-    unsigned taken;  /**< the number of given words that name the compiler (launcher form) */
+    word_list bare;  /**< the command without launchers, for queries, which ccache would count as
+                      * misses */
+    unsigned taken;  /**< number of given words that name the compiler (launcher form) */
     bool is_clang;
     bool is_cxx;          /**< treats a C file as C++ */
     bool is_cross;        /**< compiles for another machine */
-    const char *standard; /**< -std= implied by the name (c99); NULL: none */
-    bool found;           /**< false: there is no compiler other than this program itself */
+    const char *standard; /**< -std= implied by the name (c99), or NULL */
+    bool found;           /**< whether there is a compiler other than this program itself */
 } compiler;
 
 /** Chooses in this order: the first given word, if it is a compiler's name (launcher form);
@@ -24,9 +25,9 @@ typedef struct compiler {
  *  `self` is this program's path; paths that lead back to it are skipped. */
 compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words);
 
-/** Whether a launcher (ccache) runs the compiler, which may reuse earlier compilations. */
+/** Returns whether a launcher (ccache), which may reuse earlier compilations, runs the compiler. */
 bool compiler_has_launcher(const compiler *c);
-/** Whether the program runs the compiler given after its name (ccache, distcc). */
+/** Returns whether the program runs the compiler given after its name (ccache, distcc). */
 bool compiler_is_launcher(const char *word);
 
 #endif

@@ -11,7 +11,7 @@ typedef struct binary_operator {
     int strength;
 } binary_operator;
 
-/* Longer texts before their prefixes. */
+/* Longer operators precede their prefixes. */
 static const binary_operator binary_operators[] = {
     {"||", 1}, {"&&", 2}, {"==", 6}, {"!=", 6}, {"<<", 8}, {">>", 8},
     {"<=", 7}, {">=", 7}, {"<", 7},  {">", 7},  {"|", 3},  {"^", 4},
@@ -44,7 +44,7 @@ static condition_value unknown(const char *text, size_t length) {
     return (condition_value){.form = mix(14695981039346656037u, text, length)};
 }
 
-/* The unknown value of an expression of `text` and two operands. */
+/* The value of the operator `text` for two operands, at least one of which is unknown. */
 static condition_value combined(const char *text, const condition_value *left,
                                 const condition_value *right) {
     condition_value made = unknown(text, strlen(text));

@@ -6,15 +6,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** __GNUC__ and __GNUC_MINOR__, and whether __clang__ is defined. */
+/** The macros that give the compiler's version: the values of __GNUC__ and __GNUC_MINOR__, and
+ * whether __clang__ is defined. */
 typedef struct condition_version {
     int major;
     int minor;
     bool is_clang;
 } condition_version;
 
-/** Known, with a value; or unknown. An unknown has a `form`, the hash of its expression, so that
- *  two conditions of the same form have the same value, whatever the unknown names are. */
+/** A known or unknown value. An unknown one has a `form`, the hash of its expression, so that two
+ * conditions of the same form have the same value, whatever the unknown names are. */
 typedef struct condition_value {
     bool is_wrong; /**< the expression is not understood */
     bool is_known;
@@ -22,11 +23,11 @@ typedef struct condition_value {
     uint64_t form;
 } condition_value;
 
-/** Evaluates a preprocessor expression (C17 6.10.1). Only the names of the version have known
- * values, also as operands of `defined`. */
+/** Evaluates a preprocessor expression (C17 6.10.1). Only the names that `version` determines have
+ * known values, also as operands of `defined`. */
 condition_value condition_evaluate(const char *expression, condition_version version);
 
-/** Whether both are the same value, or the same unknown; false if either is wrong. */
+/** Returns whether both are the same value, or the same unknown; false if either is wrong. */
 bool condition_equal(const condition_value *left, const condition_value *right);
 
 #endif

@@ -61,7 +61,7 @@ static bool is_listed(const word_list *list, const char *name) {
     return false;
 }
 
-/* Is it a header of the runtime, which only translated text includes? */
+/* Is the file a header of the runtime, which only translated text includes? */
 static bool is_the_runtimes(const char *name) {
     static const char *const headers[] = {
         "/redcc/bins.h",   "/redcc/crew.h",   "/redcc/entry.h",    "/redcc/lanes.h",

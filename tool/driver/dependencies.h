@@ -14,12 +14,12 @@
  *  Returns false if the file cannot be read or holds no rule. */
 bool dependencies_read(arena *a, const char *path, word_list *list);
 
-/** Whether both sources read the same files, except for the sources themselves (the first of each)
- *  and the runtime's headers. */
+/** Returns whether both sources read the same files, except for the sources themselves (the first
+ * of each) and the runtime's headers. */
 bool dependencies_equal(arena *a, const word_list *original, const char *path,
                         const word_list *translated, const char *text);
 
-/** Whether any of the files contains `word` as a whole word, or one of them cannot be read. */
+/** Returns whether any of the files contains `word` as a whole word, or cannot be read. */
 bool dependencies_mention(arena *a, const word_list *files, const char *word);
 
 /** The comment that follows a #line directive where a translated text contains a header's text in

@@ -12,7 +12,7 @@ typedef struct digest {
 
 typedef struct digester {
     uint64_t state[8];
-    uint64_t length; /* of the input compressed so far */
+    uint64_t length; /* bytes of input compressed so far */
     unsigned char block[128];
     unsigned filled;
 } digester;

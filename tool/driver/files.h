@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Files and folders, paths. */
+/** Reads and copies files, creates folders, and splits paths. */
 #ifndef DRIVER_FILES_H
 #define DRIVER_FILES_H
 
@@ -9,18 +9,18 @@
 
 #include "support/arena.h"
 
-/** The bytes of a file followed by a 0; sets *length unless length is NULL. NULL if it cannot be
- *  read. */
+/** The bytes of a file followed by a 0, or NULL if it cannot be read. Sets *length unless length is
+ * NULL. */
 char *file_read(arena *a, const char *path, size_t *length);
 
-/** Whether both can be read and hold the same bytes. */
+/** Returns whether both files can be read and contain the same bytes. */
 bool file_equal(arena *a, const char *left, const char *right);
 
 /** Copies through a temporary file in the folder of `to` and a rename, so that no reader sees a
  *  partial file. */
 bool file_copy(arena *a, const char *from, const char *to);
 
-/** Whether a file is empty or does not exist. */
+/** Returns whether a file is empty or does not exist. */
 bool file_is_empty(const char *path);
 
 /** Copies a file's bytes to a stream; a missing file counts as empty. */
@@ -29,14 +29,15 @@ void file_show(const char *path, FILE *stream);
 /** Creates the folder of `path`, and those above it. */
 bool folder_create_for(arena *a, const char *path);
 
-/** The part after the last slash; the part before it ("" without a slash, "/" for the root). */
+/** path_base returns the part after the last slash; path_folder the part before it ("" without a
+ * slash, "/" for the root). */
 const char *path_base(const char *path);
 const char *path_folder(arena *a, const char *path);
 
-/** Whether `path` names a file, not a folder, that this process may execute. */
+/** Returns whether `path` names a file, not a folder, that this process may execute. */
 bool path_is_executable(const char *path);
 
-/** Whether both paths lead to one file; false if either does not exist. */
+/** Returns whether both paths lead to one file; false if either does not exist. */
 bool path_same_file(const char *left, const char *right);
 
 #endif

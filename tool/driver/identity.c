@@ -148,7 +148,8 @@ static bool is_same_for_all_versions(const char *expression) {
     return true;
 }
 
-/* Whether this occurrence of `word` in its line is irrelevant. */
+/* Is this occurrence of `word` in its line irrelevant, because the line means the same to all
+ * compilers? */
 static bool is_harmless(const char *line, const char *word) {
     line += strspn(line, " \t");
     if (*line != '#')
@@ -159,7 +160,8 @@ static bool is_harmless(const char *line, const char *word) {
     const char *rest = line + length;
     if ((length == 5 && strncmp(line, "ifdef", 5) == 0) ||
         (length == 6 && strncmp(line, "ifndef", 6) == 0))
-        return strcmp(word, "__clang__") != 0; /* gcc and clang define __GNUC__, __GNUC_MINOR__ */
+        return strcmp(word, "__clang__") != 0; /* both gcc and clang define __GNUC__,
+                                                * __GNUC_MINOR__ */
     bool is_condition = (length == 2 && strncmp(line, "if", 2) == 0) ||
                         (length == 4 && strncmp(line, "elif", 4) == 0);
     return is_condition && is_same_for_all_versions(rest);

@@ -16,8 +16,8 @@
  *  another version than libclang. */
 const char *identity_asked(arena *a, const char *text, bool is_clang);
 
-/** As identity_asked, for the user's files in a list: headers below /usr/include and /usr/lib are
- *  assumed to mean the same to every compiler. Returns another text if a file cannot be read. */
+/** Like identity_asked, for the user's files in a list: headers below /usr/include and /usr/lib are
+ * assumed to mean the same to every compiler. Returns another text if a file cannot be read. */
 const char *identity_asked_in(arena *a, const word_list *files, bool is_clang);
 
 #endif

@@ -71,7 +71,7 @@ static bool is_directive(const char *text, const char *at) {
     return at >= text + 2 && at[-1] == ':' && at[-2] == '%' && begins_line(text, at - 2);
 }
 
-/* Adds the macro at `at`, which may expand to the name of a header. False if a compiler may
+/* Adds the macro at `at`, which may expand to the name of a header. Returns false if a compiler may
  * predefine it (reserved names, `linux`), or its name has bytes other than letters, digits and _.
  * If there is no name, nothing is added: the text is a comment, or an error. */
 static bool add_macro(arena *a, const char *at, include_names *names) {
@@ -87,7 +87,7 @@ static bool add_macro(arena *a, const char *at, include_names *names) {
     return has_capital && *at != '_';
 }
 
-/* Adds the <name>, "name" or macro at `at`; false if the name cannot be determined. */
+/* Adds the <name>, "name" or macro at `at`. Returns false if the name cannot be determined. */
 static bool add_name(arena *a, const char *at, include_names *names) {
     if (*at != '<' && *at != '"')
         return add_macro(a, at, names);
@@ -103,8 +103,8 @@ static bool is(const char *word, size_t length, const char *name) {
     return strlen(name) == length && strncmp(word, name, length) == 0;
 }
 
-/* Adds the header requested by the word, `length` bytes at `at`. False if it cannot be
- * determined. */
+/* Adds the header requested by the word, `length` bytes at `at`. Returns false if the header cannot
+ * be determined. */
 static bool add_of_word(arena *a, const char *text, const char *at, size_t length,
                         include_names *names) {
     const char *next = skip_blanks(at + length);

@@ -15,12 +15,12 @@ typedef struct include_names {
 } include_names;
 
 /** Adds the names in `length` bytes of text, each at least once, and perhaps some from comments.
- *  Returns NULL, or why the list is incomplete: a macro that a compiler may predefine makes the
- * name, the text changes with time (__TIME__), or trigraphs may hide a directive. */
+ * Returns NULL, or why the list is incomplete: a name comes from a macro that a compiler may
+ * predefine, the text changes with time (__TIME__), or trigraphs may hide a directive. */
 const char *include_names_find(arena *a, const char *text, size_t length, include_names *names);
 
-/** Whether the text, with spliced lines joined, may define the macro: its name occurs other than
- *  after `defined`, `ifdef`, `ifndef`, `undef` and `include`. */
+/** Returns whether the text, with spliced lines joined, may define the macro: its name occurs other
+ * than after `defined`, `ifdef`, `ifndef`, `undef` and `include`. */
 bool include_names_may_define(const char *text, const char *macro);
 
 #endif

@@ -13,7 +13,7 @@
 #define REDCC_LIBRARY_FOLDER "lib"
 #endif
 
-/* Where a tree contains the files: paths relative to its root. */
+/* The places of the files in a tree, as paths relative to its root. */
 typedef struct layout {
     const char *translator;
     const char *library;

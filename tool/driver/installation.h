@@ -19,7 +19,7 @@ typedef struct installation {
 installation installation_find(arena *a);
 
 /** The URI of the folder with the pages reasons.md and refused.md: the one given at configuration
- *  (REDCC_DOCUMENTS_URI), else the installed one. NULL: none. */
+ * (REDCC_DOCUMENTS_URI), else the installed one. Returns NULL if there is none. */
 const char *installation_documents(arena *a);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A record: the number of folders, and each folder's path and identity; the number of names that
- * were missing in it, and these names; the number of files found in it, and their names and
- * identities. Numbers have 64 bits; texts end with a zero byte.
+ * The format of a record: the number of folders, and each folder's path and identity; the number of
+ * names that were missing in the folder, and these names; the number of files found in it, and
+ * their names and identities. Numbers have 64 bits; texts end with a zero byte.
  */
 #include "driver/lookups.h"
 
@@ -20,8 +20,8 @@
 /* A file that changed this recently may change again without a new time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
-/* The identity of a path. Of a folder that was found, only the first three numbers are compared; of
- * one in which names were missing, all. */
+/* The identity of a path. For a folder that was found, only the first three numbers are compared;
+ * if names were missing in it, all are. */
 enum { KIND, DEVICE, INODE, SIZE, MODIFIED, MODIFIED_PART, CHANGED, CHANGED_PART, NUMBERS };
 enum { KIND_NOTHING, KIND_FILE, KIND_FOLDER };
 
@@ -70,7 +70,7 @@ void lookups_spoil(lookups *l) {
     l->is_spoilt = true;
 }
 
-/* The folder before the name at the end of a path, and the name. */
+/* Returns the folder before the name at the end of a path, and sets *name. */
 static looked_folder *folder_of(lookups *l, const char *path, const char **name) {
     *name = path_base(path);
     const size_t length = (size_t)(*name - path);
@@ -119,7 +119,7 @@ static void write_folder(const lookups *l, buffer *out, const looked_folder *fol
     identity now = {{KIND_NOTHING}};
     if (stat(*folder->path ? folder->path : ".", &about) == 0)
         now = identity_of(&about);
-    if (!is_settled(l, &now)) /* each name is looked for again */
+    if (!is_settled(l, &now)) /* later each name is looked up again */
         now = (identity){{KIND_NOTHING}};
     write_name(out, folder->path);
     write_numbers(out, now.numbers, NUMBERS);
@@ -146,7 +146,7 @@ bool lookups_write(lookups *l, store_part *part) {
     return true;
 }
 
-/* ---- the same again? ------------------------------------------------------------------------- */
+/* ---- would the search find the same? --------------------------------------------------------- */
 
 static int64_t read_number(const char **at) {
     int64_t number;

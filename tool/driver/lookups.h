@@ -19,17 +19,18 @@ typedef struct lookups lookups;
 /** Begins a search. */
 lookups *lookups_new(arena *a);
 
-/** The search has tried `path`, and found a file with this status (stat); NULL: it found none. */
+/** Records that the search has tried `path` and found a file with this status (stat); NULL: it
+ * found none. */
 void lookups_note(lookups *l, const char *path, const struct stat *about);
 
-/** The search depends on something that is not recorded. */
+/** Records that the search depends on something that cannot be recorded: the record is invalid. */
 void lookups_spoil(lookups *l);
 
-/** The record, to be stored; false if it is spoilt. */
+/** Returns the record in *part, to be stored; false if it is invalid. */
 bool lookups_write(lookups *l, store_part *part);
 
-/** Whether a recorded search would find the same now; for each plain file that it found, `found` is
- *  called. */
+/** Returns whether a recorded search would find the same now; for each plain file that it found,
+ * `found` is called. */
 bool lookups_hold(arena *a, const store_part *part,
                   void (*found)(void *data, const struct stat *about), void *data);
 

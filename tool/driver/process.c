@@ -16,7 +16,7 @@ static const int caught_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 enum { CAUGHT_COUNT = sizeof caught_signals / sizeof caught_signals[0] };
 
 static volatile sig_atomic_t last_signal;
-static volatile sig_atomic_t child; /* the running child's process id; 0: none runs */
+static volatile sig_atomic_t child; /* the running child's process id, or 0 if none runs */
 
 static void pass_on(int number) {
     int saved = errno;

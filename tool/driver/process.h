@@ -12,8 +12,8 @@ typedef struct process_streams {
     const char *error;
 } process_streams;
 
-/** From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE are forwarded to the running program, and
- *  recorded. */
+/** From this call on, SIGINT, SIGTERM, SIGHUP and SIGPIPE are forwarded to the running program, and
+ * recorded. */
 void process_catch_signals(void);
 
 /** The signal caught so far, 0 for none. */

@@ -16,8 +16,8 @@ extern char **environ;
 /* A file that changed within these seconds may change again and keep its time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
-/* Adds a file's path, identity, size and times; false if it is no plain file. Clears *is_settled if
- * it changed recently. */
+/* Adds a file's path, identity, size and times to the digest; false if it is no plain file. Clears
+ * *is_settled if it changed recently. */
 static bool add_times(digester *d, const char *path, bool *is_settled) {
     struct stat about;
     if (stat(path, &about) != 0 || !S_ISREG(about.st_mode))
@@ -32,7 +32,7 @@ static bool add_times(digester *d, const char *path, bool *is_settled) {
     return true;
 }
 
-/* Adds the contents, read in pieces: libraries have hundreds of megabytes. */
+/* Adds a file's contents to the digest, in pieces, because libraries have hundreds of megabytes. */
 static bool add_contents(digester *d, const char *path) {
     FILE *file = fopen(path, "rb");
     char part[65536];
@@ -87,7 +87,7 @@ static bool add_file(arena *a, const store *s, digester *d, const char *path) {
     return identity_add_files(a, s, d, &one);
 }
 
-/* Adds one executable file; false if it is no ELF file. */
+/* Adds one executable file to the digest; false if it is no ELF file. */
 static bool add_executable(arena *a, const store *s, digester *d, const char *path) {
     char magic[4] = "";
     FILE *file = fopen(path, "rb");
@@ -130,7 +130,7 @@ static int compare_texts(const void *left, const void *right) {
     return strcmp(*(const char *const *)left, *(const char *const *)right);
 }
 
-/* Does the environment variable in `entry` affect what compiler or translator do? */
+/* Does the environment variable in `entry` affect what the compiler or the translator does? */
 static bool counts(const char *entry) {
     static const char *const beginnings[] = {"C_INCLUDE_PATH=",
                                              "CCC_",

@@ -6,20 +6,22 @@
 #include "driver/store.h"
 #include "driver/words.h"
 
-/** Adds the contents of files. If the same files (device, inode, size, both times to the
- *  nanosecond) were read before, their digests come from the store. False if one cannot be read. */
+/** Adds the contents of files to the digest. If the same files (device, inode, size, both times to
+ * the nanosecond) were read before, their digests come from the store. Returns false if a file
+ * cannot be read. */
 bool identity_add_files(arena *a, const store *s, digester *d, const word_list *paths);
 
-/** Adds the names, sizes and times of files. False if one is no plain file, or has changed so
- *  recently that it may change again without a new time. */
+/** Adds the names, sizes and times of files to the digest. Returns false if one is no plain file,
+ * or has changed so recently that it may change again without a new time. */
 bool identity_add_times(digester *d, const word_list *paths);
 
-/** Adds the program that `name` starts according to PATH; for a launcher's link named after a
- *  compiler (ccache) also the program that it starts. False for a script, whose behaviour is
- *  unknown. */
+/** Adds to the digest the program that `name` starts according to PATH. For a launcher's link named
+ * after a compiler (ccache), also adds the program that it starts. Returns false for a script,
+ * whose behaviour is unknown. */
 bool identity_add_program(arena *a, const store *s, digester *d, const char *name);
 
-/** Adds the environment variables that a preprocessor, the dynamic loader or redcc reads. */
+/** Adds to the digest the environment variables that a preprocessor, the dynamic loader or redcc
+ * reads. */
 void identity_add_environment(arena *a, digester *d);
 
 #endif

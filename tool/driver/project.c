@@ -31,7 +31,8 @@ static bool is_c_source(const char *name) {
     return length > 2 && strcmp(name + length - 2, ".c") == 0;
 }
 
-/* Lists the C sources in the folder and, if is_recursive, below it. False: there are too many. */
+/* Lists the C sources in the folder and, if is_recursive, below it. Returns false if there are too
+ * many. */
 static bool list_folder(listing *all, const char *folder, int depth) {
     DIR *stream = opendir(folder);
     bool is_small = true;
@@ -68,8 +69,8 @@ static bool describes_build(arena *a, const char *folder) {
     return false;
 }
 
-/* The outermost folder with a build description, at most a few levels above `folder`; NULL: there
- * is none. The home folder and those above it are no project. */
+/* The outermost folder with a build description, at most a few levels above `folder`, or NULL if
+ * there is none. The home folder and those above it do not count. */
 static const char *root_of(arena *a, const char *folder) {
     const char *root = NULL, *home = getenv("HOME");
     char *at = arena_string(a, folder);
@@ -91,8 +92,8 @@ static const char *child_towards(arena *a, const char *root, const char *folder)
     return end ? arena_copy(a, folder, (size_t)(end - folder)) : folder;
 }
 
-/* The sources below the root. If there are too many, those below the outermost folder around the
- * source that does not have too many; else those in the source's own folder. */
+/* Lists the sources below the root. If there are too many, lists those below the outermost folder
+ * around the source that does not have too many; otherwise those in the source's own folder. */
 static word_list list_files(arena *a, const char *folder) {
     listing all = {.memory = a, .is_recursive = true};
     const char *root = root_of(a, folder);
@@ -116,11 +117,11 @@ typedef struct scanner {
     arena *memory;
     const char *at, *end;
     project_file *file;
-    project_function *function; /* the function whose body is being read; NULL: none */
-    int braces, parentheses;    /* the numbers of open ones */
+    project_function *function; /* the function whose body is being read, or NULL */
+    int braces, parentheses;    /* numbers of open braces and parentheses */
     const char *name;           /* outside of bodies: the word before a declaration's first '(' */
     bool is_static,
-        is_called; /* outside of bodies: `static` was read; the parentheses are closed */
+        is_called; /* outside of bodies: was `static` read? are the parentheses closed? */
     bool has_loop, has_update;
 } scanner;
 

@@ -39,9 +39,10 @@ typedef struct project {
                     * other files -> not NULL */
 } project;
 
-/** The sources of the project that contains `path`: all below the outermost enclosing folder with a
- *  build description or a repository. If there are too many, those below the outermost folder
- * around the source that does not have too many; else those in the source's own folder, or none. */
+/** Lists the sources of the project that contains `path`: all below the outermost enclosing folder
+ * with a build description or a repository. If there are too many, lists those below the outermost
+ * folder around the source that does not have too many; otherwise those in the source's own folder,
+ * or none. */
 word_list project_list(arena *a, const char *path);
 
 /** Reads these files, except for those that cannot be read. */
@@ -50,12 +51,12 @@ project_scan project_scan_files(arena *a, const word_list *files);
 /** The project of a source, from its files. */
 project *project_from(arena *a, const char *path, const project_scan *files);
 
-/** project_list, project_scan_files and project_from, one after the other. */
+/** Calls project_list, project_scan_files and project_from, one after the other. */
 project *project_around(arena *a, const char *path);
 
 /** A file other than the source that defines an external function of this name. Among several, the
- *  one named like the header that declares the function (NULL: none does), else one in the source's
- *  own folder, else the first. NULL: there is none. */
+ * one named like the header that declares the function (NULL: none does), else one in the source's
+ * own folder, else the first. Returns NULL if there is none. */
 const char *project_definer(const project *p, const char *name, const char *header);
 
 /** A digest of all that queries about the source's functions depend on: the bytes of files that

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * files:    their number, and each: path, digest, functions
- * functions: their number, and each: name, is_static, has_loop, calls
- * calls:    their number, and the name of each
+ * The format of the bytes:
+ *   files:     their number; for each: path, digest, functions
+ *   functions: their number; for each: name, is_static, has_loop, calls
+ *   calls:     their number; for each: name
  * Numbers are unsigned; texts end with a zero byte.
  */
 #include "driver/project_text.h"

@@ -9,7 +9,8 @@
 
 store_part project_write(arena *a, const project_scan *files);
 
-/** The files that project_write has written. Their names are not copied from `part`. */
+/** Reads the files that project_write has written. Their names are not copied: they point into
+ * `part`. */
 project_scan project_read(arena *a, const store_part *part);
 
 #endif

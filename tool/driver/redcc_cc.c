@@ -107,8 +107,8 @@ static bool reads_input(const command *c) {
     return false;
 }
 
-/* Is the output an input? The compiler refuses to overwrite its input, but that would be the
- * translated text. */
+/* Is the output also an input? The compiler would refuse to overwrite it, but cannot recognise it
+ * when it compiles the translated text instead. */
 static bool would_write_over_input(const command *c) {
     for (unsigned i = 0; c->output && i < c->count; i++)
         if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))
@@ -116,8 +116,8 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Is a word that was parsed as an input no file? The input is missing, which clang checks first, or
- * the word is the argument of an option that is not in the table. */
+/* Does a word that was parsed as an input name no file? Either the input is missing, which clang
+ * checks first, or the word is the argument of an option that is not in the table. */
 static bool misses_input(const command *c) {
     for (unsigned i = 0; i < c->count; i++) {
         const char *word = c->items[i].text;
@@ -129,7 +129,7 @@ static bool misses_input(const command *c) {
     return false;
 }
 
-/* The first option that the translator cannot follow; NULL: there is none. */
+/* The first option that the translator cannot follow, or NULL if there is none. */
 static const char *obstructing_option(const command *c) {
     for (unsigned i = 0; i < c->count; i++)
         if (c->items[i].meaning & (OPTION_GIVE_UP | OPTION_REFUSE))
@@ -186,8 +186,8 @@ static _Noreturn void translate_and_build(session *s) {
     build(s, translations, count);
 }
 
-/* The reason to report for a compiled input that is no C source; NULL: it is neither preprocessed C
- * nor C++. */
+/* The reason to report for a compiled input that is no C source, or NULL if it is neither
+ * preprocessed C nor C++. */
 static const char *other_input(const session *s, const item *one) {
     static const char *const cxx[] = {".C", ".CPP", ".c++", ".cc", ".cp", ".cpp", ".cxx", ".ii"};
     const char *dot = strrchr(path_base(one->text), '.');

@@ -14,17 +14,17 @@ typedef struct session {
     installation tools;
     compiler real;       /**< the compiler */
     word_list given;     /**< its arguments as given */
-    command command;     /**< the same, parsed */
+    command command;     /**< these arguments, parsed */
     word_list options;   /**< $REDCC_OPTS */
     bool contracts;      /**< --order=any: the compiler may contract multiply and add */
     bool show;           /**< --redcc-show: print the commands, run nothing */
     bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
     bool strict;         /**< $REDCC_STRICT: a source that cannot be translated ends the build */
-    struct cache *cache; /**< the cache (cache.h); NULL: none */
-    const char *report;  /**< the file for the build's report; NULL: none */
+    struct cache *cache; /**< the cache (cache.h), or NULL */
+    const char *report;  /**< the file for the build's report, or NULL */
     const char *folder;  /**< the folder for temporaries; NULL before there is one */
-    VECTOR(shared_folder) shared; /**< folders that other calls may use at the same time */
+    VECTOR(shared_folder) shared; /**< folders shared with other processes (temporary.h) */
     const char *input;   /**< a file with the contents of standard input; NULL if it is no source */
     unsigned attempts;   /**< the number of compiler runs so far, by which their files are named */
     word_list fallbacks; /**< sources whose translated text did not compile */
@@ -37,11 +37,12 @@ void session_read_options(session *s);
 /** Reads the file name of the build's report, and whether the build is strict, into the session. */
 void session_read_environment(session *s);
 
-/** The command's option by which the compiler may reorder or approximate arithmetic (-Ofast); NULL:
- *  there is none, or --order=any allows it. Translated texts are compiled without it. */
+/** The command's option by which the compiler may reorder or approximate arithmetic (-Ofast).
+ * Returns NULL if there is none, or if --order=any allows it. Translated texts are compiled without
+ * it. */
 const char *session_liberty(const session *s);
 
-/** OPTION_LIBERTY if session_liberty names an option; else 0. */
+/** Returns OPTION_LIBERTY if session_liberty names an option, else 0. */
 unsigned session_liberties(const session *s);
 
 /** Prints a command and returns 0 under --redcc-show; else runs it (process_run). A command line
@@ -51,10 +52,10 @@ int session_run(session *s, const word_list *words, process_streams streams);
 /** Prints one line on standard error, "redcc-cc: warning: ...". */
 void session_warn(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** As session_warn, "redcc-cc: note: ...". */
+/** Like session_warn, but prints "redcc-cc: note: ...". */
 void session_note(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** As session_note, but only with -v. */
+/** Like session_note, but prints only with -v. */
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -16,7 +16,8 @@
 #include "support/buffer.h"
 #include "support/vector.h"
 
-/* Entries are in 16 folders, by the first digit of their keys, which share the limit equally. */
+/* Entries are in 16 folders, one for each first digit of their keys. The folders share the limit
+ * equally. */
 enum { SHARES = 16, KEPT_OF_TEN = 8, FRESH_SECONDS = 600, ABANDONED_SECONDS = 3600 };
 static const uint64_t DEFAULT_LIMIT = UINT64_C(1) << 30;
 

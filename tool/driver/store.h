@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A folder of entries that processes share. Each is a file named after its key, written under a
- * temporary name and renamed, so that readers see a whole entry or none, without locks. A corrupt
+ * A folder of entries that processes share. Each entry is a file named after its key, written under
+ * a temporary name and renamed, so that readers see a whole entry or none, without locks. A corrupt
  * entry counts as missing.
  */
 #ifndef DRIVER_STORE_H
@@ -23,10 +23,10 @@ typedef struct store_part {
 } store_part;
 
 /** Opens the folder that $REDCC_CACHE names, else redcc below $XDG_CACHE_HOME or ~/.cache; creates
- *  it if missing. No folder if REDCC_CACHE is off or a relative path, or if the folder cannot be
- * created, belongs to another user, or can be written by all users. The limit is $REDCC_CACHE_SIZE
- * (bytes, with K, M or G), else 1 GiB. A message about an invalid variable is left in *wrong, in
- * the arena. */
+ * it if missing. There is no folder if REDCC_CACHE is off or a relative path, or if the folder
+ * cannot be created, belongs to another user, or can be written by all users. The limit is
+ * $REDCC_CACHE_SIZE (bytes, with K, M or G), else 1 GiB. A message about an invalid variable is
+ * left in *wrong, in the arena. */
 store store_open(arena *a, const char **wrong);
 
 /** Reads an entry of `count` parts into the arena; false if there is none. */

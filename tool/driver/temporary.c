@@ -34,7 +34,7 @@ static bool is_named_as_ours(const char *name) {
     return rest == sizeof placeholder - 1 || rest == KEY_DIGITS;
 }
 
-/* Whether the open folder is abandoned: this user's, not young, and unlocked. On a file system
+/* Is the open folder abandoned: owned by this user, not young, and unlocked? On a file system
  * without locks it counts as in use. */
 static bool is_left_behind(int folder) {
     struct stat about;
@@ -74,7 +74,7 @@ const char *temporary_create(arena *a) {
     return folder;
 }
 
-/* Whether the path still names the open folder, and only this user has access. */
+/* Does the path still name the open folder, and does only this user have access? */
 static bool is_usable(int folder, const char *path) {
     struct stat opened, named;
     return fstat(folder, &opened) == 0 && lstat(path, &named) == 0 &&

@@ -60,7 +60,7 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* redcc starts no child: this process handles a crash */
-    /* "known": if the source tests which compiler it is, translate_for_compiler follows */
+    /* with "known", translate_for_compiler follows if the source tests which compiler it is */
     words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
     if (t->predefined)
         words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));
@@ -111,7 +111,7 @@ static outcome try_translator(session *s, const translation *t) {
     return file_equal(s->memory, t->file, t->text) ? OUTCOME_UNCHANGED : OUTCOME_CHANGED;
 }
 
-/* Lists the source's files, as the compiler finds them. */
+/* Lists the files that the compiler reads for the source. */
 static bool list_files(session *s, translation *t) {
     arena *a = s->memory;
     const char *rule = temporary(s, t, "original.d");
@@ -152,8 +152,9 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* The result of searching the source and its headers; NULL: nothing found. It is cached with them:
- * searching again would take longer than all other work for a cached translation. */
+/* The result of `search` in the source and its headers, or NULL if it finds nothing. The result is
+ * cached with them, because searching again would take longer than all other work for a cached
+ * translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {
     word_list words = {0};
@@ -166,8 +167,8 @@ static const char *kept_answer_of(session *s, const translation *t, const char *
     return answer && *answer ? answer : NULL;
 }
 
-/* The reason why the source or a header would have another meaning in the translated text; NULL:
- * none. */
+/* The reason why the source or a header would have another meaning in the translated text, or NULL
+ * if there is none. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
@@ -189,7 +190,7 @@ bool translation_assembles_file(session *s, const translation *t) {
     return kept_answer_of(s, t, "a file for the assembler", assembled_file) != NULL;
 }
 
-/* A header that the compiler may read in precompiled form; NULL: there is none. Such a form is
+/* A header that the compiler may read in precompiled form, or NULL if there is none. Such a form is
  * valid only for the options it was made with: gcc 12 crashes if OpenMP was off then. */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
@@ -202,7 +203,7 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? Yes
+/* Must the source itself be compiled, with options such as -Ofast, although it was translated? Yes
  * if the translation has no parallel loops, but only records of its functions: these would describe
  * functions compiled without the options. */
 static bool keeps_liberty(session *s, const translation *t) {
@@ -210,7 +211,7 @@ static bool keeps_liberty(session *s, const translation *t) {
     return text && !strstr(text, "REDCC_OVER(redcc__");
 }
 
-/* The reason why the text cannot replace the source; NULL: it can. */
+/* The reason why the text cannot replace the source, or NULL if it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
         return "its headers could not be listed";
@@ -258,8 +259,8 @@ static const char *compiler_asked_for(session *s, const translation *t) {
 }
 
 /* If the source tests properties of the compiler, translates it again with the compiler's own
- * macros, since the first time it was parsed as for clang. Returns the reason if that fails; NULL
- * if it succeeds or is not needed. */
+ * macros, since the first translation used clang's. Returns the reason if that fails; NULL if it
+ * succeeds or is not needed. */
 static const char *translate_for_compiler(session *s, translation *t) {
     const char *asked =
         s->show ? NULL : kept_answer_of(s, t, "the compiler it asks for", compiler_asked_for);
@@ -271,8 +272,8 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it tests which compiler this is (%s)", asked);
 }
 
-/* Shows the output of the user's own --report. The translator writes one kind of report: if the
- * build's report is written, it runs once more. */
+/* Shows the output of the user's own --report. The translator writes one kind of report in a run:
+ * if it has written the build's report, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
     if (t->report) {
@@ -411,7 +412,7 @@ bool translation_read_same(session *s, const translation *t) {
                                            t->is_input ? t->source->text : t->text);
 }
 
-/* Where $REDCC_KEEP=DIR keeps the text: DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c,
+/* The path of the text that $REDCC_KEEP=DIR keeps: DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c,
  * DIR/home/me/x.c for /home/me/x.c. */
 static const char *kept_path(session *s, const char *folder, const translation *t) {
     const char *path = t->is_input ? "stdin.c" : t->source->text;

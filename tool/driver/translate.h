@@ -11,8 +11,8 @@ typedef struct translation {
     const char *folder;     /**< the source's own folder for temporaries */
     const char *text;       /**< the translated text; NULL: compile the source itself */
     const char *predefined; /**< lists the compiler's own macros; NULL: clang's were sufficient */
-    struct cached *cached;  /**< cached answers about the source (cache.h); NULL: none */
-    const char *report;     /**< the JSON report, to be kept; NULL: none */
+    struct cached *cached;  /**< cached answers about the source (cache.h), or NULL */
+    const char *report;     /**< the JSON report, to be kept, or NULL */
     word_list read;         /**< the files that the compiler reads for the source, itself first */
     bool is_input;          /**< the source is standard input */
 } translation;
@@ -25,16 +25,17 @@ translation translate(session *s, const item *source, unsigned number);
 void translation_add_before(session *s, word_list *list, const translation *t);
 void translation_add_after(session *s, word_list *list, const translation *t);
 
-/** Whether inline assembler in the source or a header may have the assembler read a file. */
+/** Returns whether inline assembler in the source or a header may have the assembler read a
+ * file. */
 bool translation_assembles_file(session *s, const translation *t);
 
-/** Whether the compiler, run with the options of translation_add_after, read the same headers
- * for the text as for the source. */
+/** Returns whether the compiler, run with the options of translation_add_after, read the same
+ * headers for the text as for the source. */
 bool translation_read_same(session *s, const translation *t);
 
-/** Appends the translation's report to the build's report, if the text was used or there is none,
- * and keeps the text ($REDCC_KEEP). `used`: the text was used; else `messages`, a file of compiler
- *  messages, is kept as the reason. */
+/** Appends the translation's report to the build's report, if the text was used or there is no
+ * text, and keeps the text ($REDCC_KEEP). `used`: the text was used; otherwise `messages`, a file
+ * of compiler messages, is kept as the reason. */
 void translation_keep(session *s, const translation *t, bool used, const char *messages);
 
 #endif

@@ -65,10 +65,10 @@ static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32
         buffer_text(out, *at == '\n' ? "\n" : "");
 }
 
-/** Copies a directive so that it has the line number of the original, since its condition may use
- *  __LINE__, perhaps through a macro. An #if gets a #line directive. Later directives of its group
- * cannot: in a skipped branch a #line has no effect. They get the line ends since `before`, the
- *  directive copied last. */
+/** Copies a directive so that it keeps its line number, since its condition may use __LINE__,
+ * perhaps through a macro. An #if gets a #line directive. Later directives of its group cannot get
+ * one, because in a skipped branch a #line has no effect. They get the line ends since `before`,
+ * the directive copied last. */
 static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
                            const ir_directive *before) {
     const char *text = loop->whole->source->text;
@@ -80,7 +80,8 @@ static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
     buffer_byte(out, '\n');
 }
 
-/** The text that the form depends on, from the beginning of the function to the end of the loop. */
+/** The bytes on which the parallel form depends: from the function's beginning to the loop's
+ * end. */
 static ir_range compiled_range(const loop_text *loop) {
     return (ir_range){loop->facts->function->range.begin, loop->facts->loop->range.end};
 }
@@ -96,9 +97,10 @@ bool has_branches(const loop_text *loop) {
     return false;
 }
 
-/** Copies, of each group of conditional directives, those up to the compiled branch, without their
- *  #endif. So the groups are nested, and the definition of redcc__as_compiled in the innermost one
- * is reached only if all conditions are as in this compilation. */
+/** Copies from each group of conditional directives (#if to #endif) those up to the branch that
+ * this compilation takes, without the #endif. The copied groups are therefore nested. The
+ * definition of redcc__as_compiled, in the innermost one, is reached only if all conditions
+ * evaluate as in this compilation. */
 void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;
@@ -106,7 +108,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
     const ir_range text = compiled_range(loop);
     assert(text.begin <= text.end && text.end <= whole->source->length);
     unsigned depth = 0,
-             left_out = 0;  /* open groups that are copied, and those in skipped branches */
+             left_out = 0;  /* numbers of open groups: copied ones; those in skipped branches */
     bool is_decided = true; /* the current group's compiled branch has begun */
     const ir_directive *before = NULL;
     const bool depends =
@@ -124,7 +126,8 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
             left_out -= is_end;
         } else if (is_end) {
             buffer_text(out, is_decided ? "" : "#else\n");
-            is_decided = true; /* of the enclosing group: this group is in its compiled branch */
+            is_decided = true; /* the enclosing group's compiled branch, which contains this group,
+                                * has begun */
         } else if (d->kind == IR_DIRECTIVE_IF || !is_decided) {
             depth += d->kind == IR_DIRECTIVE_IF;
             copy_directive(loop, out, d, before);

@@ -21,11 +21,10 @@ static const char *type_of(loop_text *loop, const counted_loop *counted) {
     return type ? type : "int";
 }
 
-/* ---- how many ----------------------------------------------------------------------------------
- */
+/* ---- the number of blocks -------------------------------------------------------------------- */
 
-/** Writes bounds and trip count, with names that begin with `of`. `guard`: the condition under
- * which the bounds may be evaluated; NULL: always. */
+/** Declares the loop's bounds and trip count, with names that begin with `of`. `guard`: the
+ * condition under which the bounds may be evaluated; NULL: always. */
 static void write_trip(loop_text *loop, writer *out, const counted_loop *counted, const char *of,
                        const char *guard) {
     const bool ascends = counted->step > 0;
@@ -72,10 +71,9 @@ void write_shared(const loop_text *loop, buffer *out) {
                          "redcc__rows, redcc__columns");
 }
 
-/* ---- none --------------------------------------------------------------------------------------
- */
+/* ---- loops without iterations ---------------------------------------------------------------- */
 
-/** Does a clause give the variable the value that it has after the last iteration? */
+/** Is the variable `lastprivate`? With NULL: is any variable? */
 static bool is_last(const loop_text *loop, const ir_variable *variable) {
     const openmp_directive *directive = &loop->facts->variables.blocks->directive;
     for (unsigned i = 0; i < directive->item_count; i++)
@@ -107,8 +105,7 @@ void write_if_any(loop_text *loop, writer *out, bool is_of_team) {
     writer_line(out, "} else");
 }
 
-/* ---- which -------------------------------------------------------------------------------------
- */
+/* ---- the iterations of a block --------------------------------------------------------------- */
 
 static void write_range(loop_text *loop, writer *out, const counted_loop *counted, const char *of,
                         const char *part, const char *parts) {

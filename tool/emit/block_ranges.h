@@ -6,14 +6,15 @@
 
 #include "emit/write_loop.h"
 
-/** Writes the number of blocks, at most `most`, and what their ranges are computed from. */
+/** Declares the number of blocks, at most `most`, and the values from which their ranges are
+ * computed. */
 void write_counts(loop_text *loop, writer *out, int most);
 
-/** Writes the names that write_counts declares, each after a comma, for a clause. */
+/** Writes the names that write_counts declares, each after a comma, for a `shared` clause. */
 void write_shared(const loop_text *loop, buffer *out);
 
-/** If a clause gives variables the values that they have after the last iteration, writes a
- * condition for the directive and its loop: without iterations, the counters alone are set. */
+/** If variables are `lastprivate`, writes a condition before the directive and its loop: if there
+ * are no iterations, only the counters are assigned. */
 void write_if_any(loop_text *loop, writer *out, bool is_of_team);
 
 /** Writes, for each counter, its first value in a block, and the bound with which the block's

@@ -15,15 +15,15 @@
 
 enum {
     MOST_BLOCKS = 256, /* so the shares of 7 or 12 threads differ by a few percent only */
-    MOST_BLOCKS_UNBALANCED = 1024 /* for iterations that take different times */
+    MOST_BLOCKS_UNBALANCED = 1024 /* for iterations of unequal length */
 };
 
 static const fixed_blocks *blocks_of(const loop_text *loop) {
     return loop->facts->variables.blocks;
 }
 
-/** The scalar's name without a mark (origin.h), for directives: there the self-check's parser
- * reports no names that could be compared. */
+/** The scalar's name without a mark (origin.h), for directives. The self-check (self_check.h)
+ * cannot compare names in directives, because the parser does not report them. */
 static const char *name_of(const loop_text *loop, unsigned scalar) {
     return blocks_of(loop)->scalars[scalar].variable->name;
 }
@@ -73,7 +73,8 @@ static const char *combination(arena *a, const blocked_scalar *scalar, const cha
 
 /* ---- before the loop ------------------------------------------------------------------------- */
 
-/** The loop's description, from which the runtime takes only the order of results. */
+/** Writes the loop's description, from which the runtime reads only the required order of
+ * results. */
 static void write_site(loop_text *loop, writer *out) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_line(out, "static redcc_site redcc__site = {");
@@ -102,7 +103,7 @@ static void write_parts(loop_text *loop, writer *out) {
     writer_line(out, "} redcc__parts[%d];", most_blocks(loop));
 }
 
-/** The directive for the loop over blocks. */
+/** Writes the directive for the loop over blocks. */
 static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     if (is_of_team(loop))
@@ -128,8 +129,8 @@ static void write_directive(loop_text *loop, writer *out) {
     buffer_text(&out->out, ")\n");
 }
 
-/** The loop over blocks: a block's private variables, and the header of the loop over its
- *  iterations. */
+/** Writes the loop over blocks: a block's private variables, and the header of the loop over its
+ * iterations. */
 static void write_block(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Writes the extent of a table whose elements between bounds a called function reads. The table's
- * address and the bounds are read before the loop, by loads that cannot fault, because the program
- * may not read them at all. */
+/** Writes the extent of a table from which a called function reads the elements between two bounds.
+ * The table's address and the bounds are read before the loop, by loads that cannot fault, because
+ * the program might not read them at all. */
 #include "analysis/base/expression.h"
 
 #include "emit/base/names.h"
@@ -21,7 +21,7 @@ typedef struct bounds_text {
     loop_text *loop;
     writer *out;
     unsigned source, count;
-    const char *all; /* the condition that makes the reads: true if all succeed */
+    const char *all; /* the condition that performs the reads and is true if all succeed */
     VECTOR(const ir_node *) loads;
 } bounds_text;
 

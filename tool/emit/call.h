@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Writes what the runtime gets for one execution: trip count, arrays, key, and reads. */
+/** Writes the data that the runtime gets for one execution: trip count, arrays, key, and reads. */
 #ifndef EMIT_CALL_H
 #define EMIT_CALL_H
 
@@ -15,18 +15,20 @@ void write_description(loop_text *loop, writer *out);
 /** Writes the statements that set the key of one execution. */
 void fill_key(loop_text *loop, writer *out);
 
-/** Extents of sources that are known before the inspection, in redcc__known (extents.c). Affine
- *  extents are those from the first iteration's row to the last one's. */
+/** Extents (address ranges) of sources that are known before the inspection; the generated text
+ * stores them in redcc__known (extents.c). An affine extent reaches from the first iteration's row
+ * to the last one's. */
 bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
-/** Writes the extent of source `number`, elements between bounds (bounds.c). */
+/** Writes the extent of source `number`, which consists of the elements between two bounds
+ * (bounds.c). */
 void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
-/** Does the text read memory before the loop that the program might not read, by loads that cannot
- *  fault? */
+/** Does the generated text read memory before the loop that the program might not read? Such reads
+ * use loads that cannot fault. */
 bool reads_by_system(const loop_text *loop);
-/** The condition that all extents are known, for entering the parallel form; NULL: they
- *  always are. */
+/** The condition that all extents are known, for entering the parallel form, or NULL if they are
+ * always known. */
 const char *extents_condition(const loop_text *loop);
 
 #endif

@@ -46,7 +46,7 @@ const char *passed_declaration(loop_text *loop, const ir_variable *variable) {
     return declaration_text(loop, variable->type, name);
 }
 
-/** The declaration of the context's member, to which the caller assigns. */
+/** The declaration of the context's member for the variable. The caller assigns to that member. */
 static const char *member_declaration(loop_text *loop, const ir_variable *variable) {
     if (is_pointed(loop, variable))
         return pointer_declaration(loop, variable);
@@ -58,7 +58,7 @@ static const char *member_declaration(loop_text *loop, const ir_variable *variab
 
 /* ---- other values -------------------------------------------------------------------------- */
 
-/** Does the name occur in the text, followed by no byte of a name? */
+/** Does the name occur in the text, and is it not followed by further characters of a name? */
 static bool holds_name(const char *text, const char *name) {
     const size_t length = strlen(name);
     for (const char *at = text; (at = strstr(at, name)); at += length)
@@ -94,7 +94,7 @@ static void offer_stepped(extras *self, unsigned i) {
                                   .given = names[k]});
 }
 
-/** Offers the pointer through which a live-out variable's last value is stored. */
+/** Calls offer() with the pointer through which a live-out variable's last value is stored. */
 static void offer_last(extras *self, unsigned i) {
     loop_text *loop = self->loop;
     const ir_variable *variable = loop->facts->variables.privates[i].variable;

@@ -20,8 +20,8 @@ const char *pointer_name(loop_text *loop, const ir_variable *variable);
 const char *passed_argument(loop_text *loop, const ir_variable *variable);
 const char *passed_declaration(loop_text *loop, const ir_variable *variable);
 
-/** Write the struct's type, before the function; its initialisation, at the call; and the variables
- * of each thread. */
+/** write_context writes the struct's type, before the function; fill_context its initialisation,
+ * before the call; take_context the declarations of each thread's variables. */
 void write_context(loop_text *loop, writer *out);
 void fill_context(loop_text *loop, writer *out);
 void take_context(loop_text *loop, writer *out);

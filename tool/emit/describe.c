@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loop's description for the runtime: static objects, and the key of one execution. */
+/** Writes the loop's description for the runtime: static objects, and the key of one execution. */
 #include <assert.h>
 
 #include "emit/base/names.h"
@@ -14,8 +14,8 @@
 #include "plan/lookup.h"
 #include "plan/tiles.h"
 
-/** The operator's name in the runtime. Where an array's order is kept, the runtime makes no
- * private copies, so any operator will do. */
+/** The operator's name in the runtime. If the order of an array's updates is preserved, the runtime
+ * makes no private copies and ignores the operator. */
 static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {
 #define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,
@@ -101,8 +101,9 @@ static bool is_own_element(const logged_source *item) {
     return item->is_scalar && item->fact->extent == EXTENT_AFFINE;
 }
 
-/** The number of the base of own elements: several own elements of an iteration with one base are
- *  disjoint, so that the guard need not compare them. "": the source is no own element. */
+/** The number that identifies the base of an own element. Several own elements of an iteration with
+ * one base are disjoint, so the guard need not compare them. Returns "" if the source is not an own
+ * element. */
 static const char *base_text(loop_text *loop, unsigned number) {
     const logged_source *all = loop->plan->sources;
     for (unsigned i = 0; is_own_element(&all[number]) && i < loop->plan->source_count; i++)
@@ -179,8 +180,8 @@ static bool skips_inner_iterations(const loop_plan *plan) {
     return false;
 }
 
-/** May the first iterations be executed in order and timed? Not with tiles, which the runtime tries
- * without a sample, nor with sections, which give the results of another order. */
+/** May the runtime execute the first iterations in order and time them? Not with tiles, which the
+ * runtime tries without a sample, nor with sections, which give the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call &&
            !loop->plan->execution.sections;
@@ -221,8 +222,8 @@ static const char *flags_text(loop_text *loop) {
     return text ? text : "0";
 }
 
-/** The object has the file's name as __FILE__: options of the compiler can map that name, so that
- * packages built in different folders are identical. */
+/** Writes the static object for the loop. It contains the file's name as __FILE__, which compiler
+ * options can map, so that packages built in different folders are identical. */
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};

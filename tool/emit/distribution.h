@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Loop fission: stores that are made after all iterations (analysis/reduction/distribution.h). */
+/** Loop fission: some stores are made by a second loop, after all iterations
+ * (analysis/reduction/distribution.h). */
 #ifndef EMIT_DISTRIBUTION_H
 #define EMIT_DISTRIBUTION_H
 

@@ -19,7 +19,7 @@ static const char byte_order_mark[] = "\xef\xbb\xbf";
 /** The prefix of names that the generated text declares. */
 static const char reserved_prefix[] = "redcc__";
 
-/** Does the first line end with CR LF? Then so does each written line. */
+/** Does the file's first line end with CR LF? If so, each generated line does, too. */
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
@@ -47,7 +47,7 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where,
         text_quoted(a, ir_position_of(unit, 0).file));
 }
 
-/** The reason why no loop of the file can be written; NULL: none. */
+/** The reason why no loop of the file can be written, or NULL if there is none. */
 static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
     if (holds_word(unit->source, 0, (uint32_t)unit->source->length, reserved_prefix))
         return "the file uses names that begin with redcc__, which are reserved for what redcc "
@@ -87,7 +87,8 @@ static bool is_around(const ir_unit *unit, const ir_function *function, const ir
     return tag->offset < loop.begin;
 }
 
-/** A type that the loop's text names and that is not declared where the loop is; NULL: none. */
+/** A type that the loop's text names but that is not declared at the loop, or NULL if there is
+ * none. */
 static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
                                    const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
@@ -146,7 +147,8 @@ static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
            is_known_at(unit, declared, piece->replaced.begin);
 }
 
-/** Is each name in a copy of the user's bytes declared in the piece, or above it? */
+/** Is each name in a copy of the user's bytes declared in the piece that contains the copy, or
+ * above it? */
 static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const origin *copy) {
     const uint32_t end = copy->from + (copy->end - copy->begin);
     for (unsigned i = 0; i < unit->reference_count; i++) {
@@ -158,7 +160,7 @@ static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const 
     return true;
 }
 
-/** Does the text before a function use only names declared above it, or in the text itself? */
+/** Does the text before a function use only names that are declared above that text or in it? */
 static bool all_is_known(const ir_unit *unit, const written_loop *piece) {
     for (unsigned i = 0; i < piece->origins.items.count; i++) {
         const origin *o = &piece->origins.items.items[i];
@@ -185,7 +187,7 @@ static written_loop unmark(arena *a, const ir_unit *unit, const loop_piece *piec
     return result;
 }
 
-/** Inserts the loop so that the list stays in the order of positions. */
+/** Inserts the piece so that the list stays in the order of positions. */
 static void insert(arena *a, loop_list *loops, written_loop loop) {
     VECTOR_PUSH(a, loops, loop);
     unsigned at = loops->count - 1;
@@ -200,7 +202,7 @@ static loop_form first_form(const loop_text *start, unsigned number, bool has_la
     return is_asked && has_lanes && !is_without ? FORM_LANES : FORM_BINNED;
 }
 
-/** Adds the text of one loop. False, with the obstacle in *why: it cannot be written. */
+/** Adds the text of one loop. Returns false, with the obstacle in *why, if it cannot be written. */
 static bool add_loop(const loop_text *start, loop_form form, const loop_verdict *verdict,
                      unsigned number, loop_list *loops, reason *why) {
     arena *a = start->arena;
@@ -255,7 +257,8 @@ static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_resul
     }
 }
 
-/** Joins head, unchanged bytes and loops to the whole file; sets the loops' positions in it. */
+/** Joins the prelude, the unchanged bytes and the pieces into the whole file; sets the pieces'
+ * positions in it. */
 static void join(arena *a, const ir_unit *unit, contraction where, const plan_options *options,
                  bool has_lanes, loop_list *loops, emit_result *result) {
     const source *s = unit->source;
@@ -283,7 +286,7 @@ static void join(arena *a, const ir_unit *unit, contraction where, const plan_op
 }
 
 /** Asserts that the pieces are disjoint and in the order of the file, that each belongs to a
- * verdict to be written, and that its origins lie in its text. */
+ * verdict to be written, and that the origins of a piece lie in its text. */
 static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
                           const loop_list *loops) {
     (void)unit, (void)analysis;
@@ -313,19 +316,20 @@ static const loop_plan **plan_loops(arena *a, const ir_unit *unit, const ir_unit
     return plans;
 }
 
-/** A file that is being written. */
+/** A file that is being written; `whole` and `seen` are `whole` and `unit` of each loop_text. */
 typedef struct file_text {
     arena *arena;
     const ir_unit *whole, *seen;
     const analysis_result *analysis;
     const plan_options *options;
-    const loop_plan **plans; /* by verdict */
+    const loop_plan **plans; /* indexed by verdict */
     lanes_outcome *lanes;
     reason *obstacles;
-    const char *obstacle; /* the reason why no loop is written; NULL: none */
+    const char *obstacle; /* the reason why no loop is written, or NULL */
 } file_text;
 
-/** Writes the file's loops, with lanes if `has_lanes` and possible. True: some loop has lanes. */
+/** Writes the file's loops, with lanes if `has_lanes` and possible. Returns whether some loop has
+ * lanes. */
 static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfused,
                         loop_list *loops) {
     bool are_written = false;
@@ -352,7 +356,8 @@ static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfus
     return are_written;
 }
 
-/** May loops of the file have lanes, according to the plans? Sets lanes to the plans' reasons. */
+/** May a loop of the file have lanes, according to the plans? Sets f->lanes[]: LANES_WRITTEN, or
+ * the plan's reason against lanes. */
 static bool may_have_lanes(const file_text *f) {
     bool may = false;
     for (unsigned i = 0; i < f->analysis->verdict_count; i++) {
@@ -365,7 +370,7 @@ static bool may_have_lanes(const file_text *f) {
     return may;
 }
 
-/** Adds the pieces of a loop in fixed blocks (block_pieces). */
+/** Adds the pieces of a loop that is executed in fixed blocks (block_pieces). */
 static void add_blocks(const file_text *f, unsigned number, loop_list *loops) {
     const loop_verdict *verdict = &f->analysis->verdicts[number];
     const loop_text start = {.arena = f->arena,
@@ -399,7 +404,7 @@ static void write_file(const file_text *f, emit_result *result) {
             contraction_of(a, f->whole, f->analysis, f->options, has_lanes, is_unfused);
         const bool are_written = write_loops(f, has_lanes, is_unfused, &loops);
         if (has_lanes &&
-            !are_written) { /* no loop has lanes: again, without the head's text for them */
+            !are_written) { /* no loop has lanes: repeat without the prelude's text for lanes */
             has_lanes = false;
             continue;
         }

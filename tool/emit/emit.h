@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Verdicts to output text: the user's file, in which a block with the parallel and the original
- * form replaces each transformed loop. docs/generated-code.md shows a complete one.
+ * Writes the output: the user's file, in which a block replaces each transformed loop. The block
+ * contains the parallel and the original form. docs/generated-code.md shows a complete example.
  */
 #ifndef EMIT_EMIT_H
 #define EMIT_EMIT_H
@@ -16,31 +16,31 @@
     "#if !defined(REDCC_OFF) && defined(__has_include)\n"                                          \
     "#if __has_include(<redcc/runtime.h>)\n"                                                       \
     "#include <redcc/runtime.h>\n"
-/** The beginning of the line after them. */
+/** The beginning of the line after REDCC_BEGINNING. */
 #define REDCC_REQUIREMENT "REDCC_REQUIRE_VERSION("
 
-/** A piece of text of a written loop. It replaces the loop or a part of it, or is inserted
- * before or into the loop's function. */
+/** A piece of a loop's generated text. It replaces the loop or a part of it, or is inserted before
+ * or into the loop's function. */
 typedef struct written_loop {
-    unsigned verdict;    /* the number of the loop's verdict */
-    bool has_lanes;      /* has the optional form for several iterations at once */
+    unsigned verdict;    /* index of the loop's verdict */
+    bool has_lanes;      /* the loop has the optional form for several iterations at once */
     ir_range replaced;   /* bytes of the input */
     uint32_t begin, end; /* bytes of the result that replace them */
-    const char *text;    /* those bytes */
-    ir_range copied;     /* in a piece before a function: the user's body */
-    origin_list origins; /* the origins of its words; offsets are relative to `begin` */
+    const char *text;    /* bytes [begin, end) of the result */
+    ir_range copied;     /* if the piece precedes a function: the range of the user's body */
+    origin_list origins; /* origins of its words (origin.h); offsets are relative to `begin` */
 } written_loop;
 
 typedef struct emit_result {
     const char *text; /* `length` bytes and a 0; the input's own bytes if loop_count is 0 */
     size_t length;
-    unsigned loop_count;       /* the number of pieces, of all written loops */
+    unsigned loop_count;       /* number of pieces of all written loops */
     const written_loop *loops; /* the pieces, in the order of their positions */
-    /* For each verdict: the reason why the loop cannot be written (a reason without an id, message
-     * and range filled in), message NULL if it can. Such a loop is left unchanged. */
+    /* The reason, for each verdict, why the loop cannot be written: message and range are set, the
+     * id is not. Such a loop is left unchanged. The message is NULL if the loop can be written. */
     const reason *obstacles;
-    /* For each verdict: does it have a form for several iterations at once? LANES_NOT_ASKED:
-     * none was requested. */
+    /* The result, for each verdict, of writing a form for several iterations at once.
+     * LANES_NOT_ASKED: none was requested. */
     const lanes_outcome *lanes;
 } emit_result;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Writes the extents of the loop's reads (their ranges in memory) that are known before the
- *  inspection. */
+ * inspection. */
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "emit/base/names.h"
@@ -39,7 +39,7 @@ static const char *wrap(const ir_node *node, void *context) {
     return wrapping_operation(((wrap_context *)context)->arena, node, wrap, context);
 }
 
-/** The text of &row, converted to const char *. */
+/** The address of the source's row, &row, converted to const char *. */
 static const char *address_text(loop_text *loop, const loop_source *read) {
     row_address address;
     wrap_context context = {loop->arena};
@@ -65,8 +65,9 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
-            /* A kept plan's range is relative to `first`, which may move between executions.
-             * Without a base it is relative to the site, which never moves. */
+            /* A plan that later executions reuse stores ranges relative to `first`, which may move
+             * between executions. Without a base they are relative to the site, which never
+             * moves. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
@@ -99,7 +100,8 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
 
 /* ---- rows of some iterations, subscripts that may wrap around ------------------------------- */
 
-/** The context in which a number (analysis/base/exact.h) is written. `at`: the counter's value. */
+/** Context for writing an exact number (analysis/base/exact.h). `at`: the counter's value as
+ * text. */
 typedef struct exact_text {
     loop_text *loop;
     const char *at;
@@ -107,8 +109,8 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, with a check that it is a value of the node's type; if it is not, the extents are
- *  unknown. */
+/** The number, with a check that it is a value of the node's type. If the check fails at run time,
+ * the extents are unknown. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))
@@ -171,7 +173,8 @@ static const char *exact_address(loop_text *loop, const row_address *address, co
     return sum;
 }
 
-/** Narrows the range of the counter to iterations that satisfy the limit: only they read. */
+/** Narrows the counter's range to the iterations that satisfy the limit, because only they read the
+ * row. */
 static void write_limit(loop_text *loop, writer *out, const counter_limit *limit) {
     exact_text self = {loop, NULL};
     const char *bound = fixed_number(&self, limit->bound);

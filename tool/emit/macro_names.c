@@ -14,7 +14,7 @@ static void check_piece(loop_text *loop, buffer *piece) {
     piece->length = 0;
 }
 
-/** Words in macros of redcc/loop.h that every form uses. */
+/** Words that the macros of redcc/loop.h contain in every form. */
 static const char words_of_all_forms[] = "void int const char for (0) sizeof(0) ";
 
 void check_macro_names(loop_text *loop, const buffer *written) {

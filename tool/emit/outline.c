@@ -102,7 +102,7 @@ static void add_extra(const extra_value *value, void *context) {
     buffer_format(&h->arguments, ", %s", value->name);
 }
 
-/** Keeps a generated text: the context passes the values whose names occur in it. */
+/** Adds the text to outline.text. The context passes each value that is named there. */
 static void remember_text(loop_text *loop, const char *text) {
     loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
@@ -173,7 +173,7 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
 }
 
 /** Writes a slice that logs only the reads, for executions that append records: it does not compute
- * the subscripts of updates. NULL: none is written. */
+ * the subscripts of updates. Returns its call, or NULL if no such slice is written. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;
@@ -228,7 +228,7 @@ static void declare_stand_ins(loop_text *loop, writer *out) {
     }
 }
 
-/** Lets the context pass the scalars of series, which each thread's last statements access. */
+/** Makes the context pass the scalars of series, which each thread's last statements access. */
 static void pass_series(loop_text *loop) {
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     head unused = {0};
@@ -240,7 +240,7 @@ static void pass_series(loop_text *loop) {
     buffer_free(&unused.arguments);
 }
 
-/** Sets parameters and arguments of the body, and returns its statements. */
+/** Sets parameters and arguments of the body in *h, and returns its statements. */
 static const char *write_iteration_for(loop_text *loop, head *h) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
@@ -249,7 +249,8 @@ static const char *write_iteration_for(loop_text *loop, head *h) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (loop->arrays[i].local && facts->arrays[i].base->type->target &&
             !facts->arrays[i].base->type->target->spelling)
-            mark_variables(facts->arrays[i].base, is_mentioned); /* the base gives its type */
+            mark_variables(facts->arrays[i].base, is_mentioned); /* the pointer's type is taken from
+                                                                  * the base */
     add_variables(loop, is_mentioned, true, h);
     add_stand_ins(loop, h);
     writer iteration = {.depth = 1};
@@ -312,7 +313,8 @@ static void write_body(loop_text *loop, writer *out) {
         write_lanes(loop, out);
 }
 
-/** Writes the function that each thread calls: it takes the context, inspects and executes. */
+/** Writes the function that each thread calls. It copies the context's values, then inspects and
+ * executes iterations. */
 static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "%sREDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {",
                 loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "member"));

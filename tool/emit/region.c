@@ -15,8 +15,8 @@ void write_region(loop_text *loop, writer *out) {
                        : loop->lanes.name       ? "_LANES"
                                                 : "";
     const bool has_leaders = plan_has_leaders(loop->plan);
-    assert(!has_leaders || !loop->lanes.name);         /* NO_LANES_OTHER_VALUES (plan/lanes.c) */
-    assert(!has_leaders || !loop->outline.reads_call); /* no spans (plan/bins_span.c) */
+    assert(!has_leaders || !loop->lanes.name);         /* plan/lanes.c: such a loop has no lanes */
+    assert(!has_leaders || !loop->outline.reads_call); /* write_slice_of_reads has written none */
     const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
     const char *tiles = loop->outline.tile_call

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Sections of arrays that a directive reduces (plan/sections.h). */
+/** Passes to the runtime the sections of arrays that an OpenMP directive reduces
+ * (plan/sections.h). */
 #ifndef EMIT_SECTIONS_H
 #define EMIT_SECTIONS_H
 

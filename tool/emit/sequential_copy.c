@@ -31,7 +31,7 @@ const char *clause_expression(const loop_text *loop, const char *whole) {
     return buffer_take(loop->arena, &out);
 }
 
-/* The expression in the clause of this kind; NULL: there is no such clause. */
+/* The expression in the clause of this kind, or NULL if there is no such clause. */
 static const char *expression_of(const loop_text *loop, openmp_clause_kind kind) {
     const openmp_loop *openmp = loop->facts->variables.openmp;
     for (unsigned i = 0; i < openmp->item_count; i++)
@@ -59,8 +59,8 @@ const char *replaced_condition(loop_text *loop) {
 void write_team(loop_text *loop, writer *out) {
     const char *threads =
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
-    /* With sections, the order of the loop's results must not depend on an `if` clause. If its
-     * condition is false, 1 thread executes the loop in the same order. */
+    /* With sections, the order of the loop's results must not depend on an `if` clause. If the
+     * clause's condition is false, one thread executes the loop in the same order. */
     const char *condition = loop->plan->execution.sections ? expression_of(loop, OPENMP_IF) : NULL;
     if (condition)
         threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");
@@ -91,8 +91,8 @@ static void hide(loop_text *loop, writer *out, const ir_variable *variable, bool
                 has_value ? variable->name : "");
 }
 
-/* Opens blocks whose variables hide those private to the threads, and the counter: after the loop
- * these have their values from before. Returns the number of blocks. */
+/* Opens blocks whose variables hide the threads' private variables and the counter, so that these
+ * have their old values after the loop. Returns the number of blocks. */
 static unsigned hide_privates(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const openmp_loop *openmp = facts->variables.openmp;

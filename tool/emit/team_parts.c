@@ -5,8 +5,7 @@
 #include "emit/macro_names.h"
 #include "emit/text/origin.h"
 
-/* A name of the type, or of one with the same values, that needs no declaration; NULL: it has none.
- */
+/* The name of a built-in type with the same values, or NULL if there is none. */
 static const char *plain_type(const ir_type *type) {
     static const char *const integers[][2] = {{"unsigned char", "signed char"},
                                               {"unsigned short", "short"},
@@ -24,7 +23,7 @@ static const char *plain_type(const ir_type *type) {
                                      : "long double";
 }
 
-/* A number that no other loop of the file has: the loop's offset. */
+/* A number that identifies the loop within its file: the loop's offset. */
 static unsigned number_of(const loop_text *loop) {
     return loop->facts->loop->range.begin;
 }

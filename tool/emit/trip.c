@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The trip count, exactly that of the sequential loop.
+ * Computes the trip count exactly as in the sequential loop.
  *
  * The counter takes the values lower, lower + step, ... while (counter <comparison> bound) holds,
  * in the type that C's usual conversions give the comparison. Everything is computed in redcc_int
- * (64 bits, signed). In some cases the count is set to 0 or a condition on the counter's final
+ * (64 bits, signed). In some cases the count is set to 0, or a condition on the counter's final
  * value fails, so that the original loop runs: if the loop wraps around or never ends; if it
  * compares differently in an unsigned type than in redcc_int; if a variable stride is less than 1;
  * if a do loop has a single iteration because its first value does not satisfy the condition.
@@ -18,12 +18,12 @@
 #include "plan/lookup.h"
 
 enum {
-    INT_SIZE = 4, /* on every target of OpenMP */
+    INT_SIZE = 4, /* size of an int on every target with OpenMP */
     WIDE_SIZE = 8 /* redcc_int */
 };
 
-/** Where adding a step could overflow, the loop runs sequentially if lower or bound is greater
- * than this in absolute value. */
+/** If adding a step could overflow, the loop runs sequentially when lower or bound is greater than
+ * this in absolute value. */
 static const char limit[] = "((redcc_int)1 << 61)";
 
 typedef struct integer_type {
@@ -88,7 +88,7 @@ static void require(conditions *list, const char *format, ...) {
     buffer_text(&list->text, text);
 }
 
-/** Known facts about the header, computed once. */
+/** Facts about the header, computed once. */
 typedef struct header {
     const counted_loop *counted;
     const ir_type *counter;
@@ -97,8 +97,8 @@ typedef struct header {
     bool compares_wide; /* the comparison is in 64 bits */
     bool ascends;
     bool inclusive;
-    const char *stride;    /* |step| as text; NULL: it is 1 */
-    bool lower_is_natural; /* it is a constant >= 0 */
+    const char *stride;    /* step| as text, or NULL if it is 1 */
+    bool lower_is_natural; /* lower is a constant >= 0 */
     bool ends_at_bound;    /* the counter's value after the loop is the bound itself */
 } header;
 
@@ -120,7 +120,7 @@ static header header_of(arena *a, const counted_loop *counted) {
     return h;
 }
 
-/** Adds the conditions under which lower and bound may be subtracted. */
+/** Adds the conditions under which the difference of lower and bound does not overflow. */
 static void require_of_ends(conditions *list, const header *h) {
     const bool lower_may_be_negative =
         !h->lower_is_natural && (h->counter->is_signed || h->counter->size == WIDE_SIZE);
@@ -203,8 +203,8 @@ static const char *users_bound_text(loop_text *loop, const header *h) {
                         h->compares_wide ? "redcc_word" : "redcc_u32", text);
 }
 
-/* The value with which the counter is compared: in `counter + ahead < bound`, bound - ahead. If
- * that wraps around, it is beyond the limit. */
+/* The value with which the counter is compared: for `counter + ahead < bound` it is bound - ahead.
+ * If the difference wraps around, it is beyond the limit. */
 static const char *bound_text(loop_text *loop, const header *h) {
     const char *text = users_bound_text(loop, h);
     return h->counted->ahead == 0 ? text

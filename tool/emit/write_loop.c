@@ -73,8 +73,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     apply_operands(loop, out);
 }
 
-/** Writes the assignments of live-out variables, in the branch next to the sequential form: so
- *  compilers see that the variables are assigned in any case. */
+/** Writes the assignments of live-out variables, in the branch next to the sequential form, so that
+ * compilers see them assigned on every path. */
 static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
@@ -94,7 +94,7 @@ static const char *heading(loop_text *loop) {
         buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", array->name,
                       array->order_is_kept ? "order kept" : reduction_operator_spelling(array->op));
     }
-    /* none if a name, by a string or comment in it, would end the heading's comment */
+    /* empty if a name contains the end of a comment (in a string, or in a comment of its own) */
     const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
     buffer_free(&out);
     return text;
@@ -118,8 +118,8 @@ static void write_no_lanes(const loop_text *loop, writer *out) {
                     lane_reason_message(outcome->why), lane_reason_slug(outcome->why));
 }
 
-/** Writes the opening brace of the loop's block, and a comment. Other compilations than those for
- *  which the block is written do not see the brace. */
+/** Writes the opening brace of the loop's block, and a comment. Compilations that take other
+ * branches (as_compiled.h) do not see the brace. */
 static void open_block(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
@@ -190,7 +190,7 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     origin_copy(&out->out, text, range.begin, range.end);
 }
 
-/** Writes the end of the block, in which the timing of the sequential loop ends. */
+/** Writes the end of the block. The timing of the sequential loop ends there. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
     const bool has_condition = /* some compilations do not time the loop */
         loop->facts->slice.has_floating_work || has_crew(loop);
@@ -219,7 +219,7 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
 }
 
-/** Writes the text before the function, in the first possible form from *form on. */
+/** Writes the text before the function, in the first form, from *form on, that is possible. */
 static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
     for (;; (*form)++) {
         loop->lanes =

@@ -16,8 +16,8 @@ typedef struct loop_piece {
 typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT } loop_form;
 
 /** Writes the block that replaces the loop, and the text before its function; sets *form to the
- * form used. False, with the obstacle in *why: the loop cannot be written. Requires arena, whole,
- * unit, facts, plan, options, is_unfused and lanes.outcome of the loop_text. */
+ * form used. Returns false, with the obstacle in *why, if the loop cannot be written. Requires
+ * arena, whole, unit, facts, plan, options, is_unfused and lanes.outcome of the loop_text. */
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 
 /** The #if under which the loop may run in parallel. It follows the text of begin_as_compiled. */

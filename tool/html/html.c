@@ -20,7 +20,8 @@ static int fail(const char *what, const char *path) {
     return FAILED;
 }
 
-/* Is it the name of a file that an earlier call has written: index.html, style.css, 12-x.c.html? */
+/* Is this the name of a file that an earlier call has written: index.html, style.css,
+ * 12-x.c.html? */
 static bool is_page(const char *name) {
     const size_t digits = strspn(name, "0123456789"), length = strlen(name);
     if (strcmp(name, "index.html") == 0 || strcmp(name, "style.css") == 0)
@@ -29,8 +30,8 @@ static bool is_page(const char *name) {
            strcmp(name + length - 5, ".html") == 0;
 }
 
-/* Removes the entries of a folder or, without `removes`, returns the name of one that is no page,
- * in the arena; NULL: none. */
+/* Removes all entries of the folder or, without `removes`, returns the name of an entry that is no
+ * page, in the arena, or NULL if there is none. */
 static const char *visit_entries(arena *a, const char *folder, bool removes) {
     const char *stranger = NULL;
     DIR *entries = opendir(folder);
@@ -82,7 +83,7 @@ static bool write_pages(const reports *r, const char *folder) {
     return good;
 }
 
-/* The pages are written to a new folder, which then replaces the old one. */
+/* Writes the pages to a new folder, which then replaces the old one. */
 static int write_folder(const reports *r, const char *folder) {
     arena *a = r->memory;
     struct stat about;
@@ -116,7 +117,7 @@ static int write_folder(const reports *r, const char *folder) {
     return status;
 }
 
-/* The reports that the environment names. */
+/* Sets `paths` to the reports that the environment names, and returns their number. */
 static unsigned files_of_environment(char **paths) {
     char *build = getenv("REDCC_BUILD_REPORT"), *run = getenv("REDCC_REPORT");
     unsigned count = 0;

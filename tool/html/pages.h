@@ -6,8 +6,8 @@
 #include "html/reports.h"
 #include "support/buffer.h"
 
-/** The file name of a source's page, in the arena; NULL: the source has no loops, and
- *  so no page. */
+/** The file name of a source's page, in the arena, or NULL if the source has no loops, and so no
+ * page. */
 const char *page_name(const reports *r, const report_file *file);
 
 /** Append the beginning and the end that all pages have. */

@@ -55,7 +55,7 @@ static void add_loop(reports *r, report_file *file, const json_t *object) {
     VECTOR_PUSH(r->memory, &r->loops, loop);
 }
 
-/* Returns false if it is not an object of a build's report. */
+/* Returns false if the object is not part of a build's report. */
 static bool add_build(reports *r, const json_t *object) {
     const json_t *loops = json_object_get(object, "loops"), *loop;
     const char *name = json_word(object, "file"), *folder = json_word(object, "directory");
@@ -106,8 +106,8 @@ static json_int_t most_threads(const json_t *loops) {
     return most == 1 && !one ? 2 : most;
 }
 
-/* The time of a loop beyond its sequential time divided by the threads. Of parallel calls without a
- * measured gain, only the time of inspections counts. */
+/* The time of a loop beyond its sequential time divided by the number of threads. For parallel
+ * calls without a measured gain, only the time of inspections counts. */
 static double seconds_lost(const json_t *run, json_int_t threads) {
     const double sequential = number_of(run, "sequential_seconds");
     const double inspecting = number_of(run, "inspect_seconds");
@@ -173,8 +173,8 @@ static bool add_run(reports *r, const json_t *object) {
 
 /* ---- files ----------------------------------------------------------------------------------- */
 
-/* Which objects of the files a pass reads: those of builds, or those of runs, which
- * name a process. */
+/* The objects that a pass over the files reads: those of builds, or those of runs, which name a
+ * process. */
 typedef enum pass { BUILDS, RUNS } pass;
 
 static const char *add_objects(reports *r, const char *path, const char *text, pass wanted) {

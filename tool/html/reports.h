@@ -13,8 +13,9 @@
 typedef struct loop_time {
     unsigned runs;      /**< the number of runs that report the loop */
     const json_t *last; /**< the loop's object in the last of them */
-    double seconds;     /**< of inspections, executions, and the original loop if it was timed */
-    double process;     /**< of the whole processes, in seconds */
+    double seconds;     /**< seconds of inspections, executions, and the original loop if it was
+                         * timed */
+    double process;     /**< total seconds of the processes */
     double lost;        /**< seconds beyond the sequential loop's time divided by the threads */
     json_int_t built, reused, plans_lost, calls;
 } loop_time;
@@ -25,7 +26,8 @@ typedef struct report_file report_file;
 typedef struct report_loop {
     const report_file *file; /**< NULL: only a run reports the loop */
     const char *name;        /**< the file's name, as reported */
-    const json_t *verdict;   /**< the loop's object in the build's report; NULL as above */
+    const json_t *verdict;   /**< the loop's object in the build's report, or NULL if only a run
+                              * reports it */
     const char *function;
     json_int_t line;
     unsigned compilations; /**< the number of compilations with this verdict */
@@ -34,17 +36,17 @@ typedef struct report_loop {
 
 /** One source, however often it was compiled. */
 struct report_file {
-    const char *name;       /**< as reported */
+    const char *name;       /**< name as reported */
     const char *path;       /**< where its text is expected */
-    const char *left_alone; /**< why it was not translated; NULL: it was */
+    const char *left_alone; /**< why it was not translated, or NULL if it was */
     VECTOR(report_loop *) loops;
     unsigned parallel, refused;
 };
 
 typedef struct reports {
     arena *memory;
-    VECTOR(report_file *) files; /**< by name */
-    VECTOR(report_loop *) loops; /**< by time lost, then by time, then by place */
+    VECTOR(report_file *) files; /**< sorted by name */
+    VECTOR(report_loop *) loops; /**< sorted by time lost, then by time, then by place */
     unsigned runs;
     VECTOR(json_t *) owned; /**< JSON objects to which the other members point */
 } reports;

@@ -7,10 +7,11 @@
 #include "html/pages.h"
 #include "html/text.h"
 
-/* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
+/* The text of docs/reasons.md: it has a section "## ID slug" for each reason, and "# ..." between
+ * groups of them. */
 extern const char reasons_text[];
 
-/* The section on a reason, in the arena; NULL: there is none. */
+/* The section on a reason, in the arena, or NULL if there is none. */
 static const char *advice(arena *a, const json_t *reason) {
     const char *heading =
         arena_format(a, "\n## %s %s\n", json_word(reason, "id"), json_word(reason, "slug"));
@@ -148,7 +149,7 @@ static void add_reason(const reports *r, buffer *out, const report_loop *loop, l
     buffer_text(out, "</details>\n");
 }
 
-/* Appends the note. `lines`: the number of the text's lines that the page shows. */
+/* Appends the note on a loop. `lines`: the number of lines of the source that the page shows. */
 static void add_note(const reports *r, buffer *out, const report_loop *loop, long long lines) {
     buffer_format(out, "<section class=\"note %s\">\n<p>", kind_of(loop));
     page_verdict(out, loop);
@@ -185,7 +186,7 @@ static bool read_source(buffer *text, const char *path) {
     return good;
 }
 
-/* Appends the notes of loops from number `next` on, whose lines are not shown. */
+/* Appends the notes on loops from number `next` on, whose lines are not shown. */
 static void add_rest(const reports *r, const report_file *file, buffer *out, unsigned next) {
     for (long long before = 0; next < file->loops.count; next++) {
         const report_loop *loop = file->loops.items[next];

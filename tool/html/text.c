@@ -80,7 +80,7 @@ void html_text(buffer *out, const char *text) {
     html_bytes(out, text, strlen(text));
 }
 
-/* A paragraph, in which text between backquotes is code. */
+/* Appends a paragraph, in which text between backquotes is code. */
 static void add_paragraph(buffer *out, const char *text, size_t length) {
     bool in_code = false;
     buffer_text(out, "<p>");

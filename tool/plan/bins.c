@@ -78,9 +78,10 @@ static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     return is_outer || (declared && declared->child_count > 0);
 }
 
-/** A record stores all its operands whenever it is appended. `is_certain`: the update then always
- *  evaluates this one; otherwise it must be a variable with a value, so that reading it is
- * harmless. */
+/** Adds an operand to the record, which stores all its operands whenever it is appended.
+ * `is_certain`: the update then always evaluates the operand. Otherwise the operand must be a
+ * variable with a value, so that reading it is harmless. Returns false if the record cannot store
+ * it. */
 static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
@@ -92,7 +93,8 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     return true;
 }
 
-/** The C library's fmin, fmax and their variants: in R = fmin(R, v) an argument is the target. */
+/** Is the callee fmin, fmax or a variant of the C library? In R = fmin(R, v) one argument is the
+ * target. */
 static bool is_extremum(const ir_node *callee) {
     return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
            (strncmp(callee->function->name, "fmin", 4) == 0 ||
@@ -152,7 +154,7 @@ unsigned stream_value_count(const bins_stream *stream) {
     return count;
 }
 
-/** Records of a stream share a tag if the same statements can apply them. */
+/** Sets the record's tag: records of a stream share a tag if the same statements can apply them. */
 static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *record) {
     for (const bins_record *other = bins->records; other < record; other++)
         if (other->stream == record->stream && records_are_alike(facts, bins, other, record)) {
@@ -162,8 +164,8 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
     record->tag = bins->streams[record->stream].tag_count++;
 }
 
-/** Adds the types of the record's values to those of its stream's records, of which a record may
- *  use only the first ones. False: they differ, or are too many. */
+/** Merges the types of the record's values into its stream's types. A record may use only the first
+ * of these types. Returns false if the types differ, or the values are too many. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);
@@ -186,7 +188,7 @@ static bool is_power_of_two(int64_t size) {
 static bool can_be_stream(const loop_facts *facts, unsigned number) {
     const reduction_array *array = &facts->arrays[number];
     const ir_type *element = array->element;
-    for (unsigned other = 0; other < number; other++) /* one base is one array */
+    for (unsigned other = 0; other < number; other++) /* no two arrays have the same base */
         assert(array->is_scattered || facts->arrays[other].is_scattered ||
                !syntax_same(facts->arrays[other].base, array->base));
     return element->spelling && is_power_of_two(element->size) && element->size <= 8 &&
@@ -264,7 +266,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
 }
 
 /** May a read whose address is known only during execution overlap an own element or a scalar in
- * memory? They are stored after the last round, so the guard may find the overlap too late. */
+ * memory? Own elements and scalars are stored after the last round, so the guard may find the
+ * overlap too late. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -273,14 +276,14 @@ static bool may_meet_kept(const loop_facts *facts) {
 }
 
 /** Must the body see only verified values? The next execution overwrites the operands of scalars
- * and values of own elements that an aborted one has left, but not its series. */
+ * and the values of own elements that an aborted execution has left, but not its series. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||
            may_meet_kept(plan->facts);
 }
 
-/** The reason why no updates may be deferred; NULL: they may. */
+/** The reason why updates may not be deferred, or NULL if they may. */
 static const char *why_not_later(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (plan->unit->dialect.is_sanitized)

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * In-order binning (redcc/bins.h): an update becomes a record, which holds the values that the
- * update reads except for the element itself. A function applies records to the elements. Adjacent
- * updates of one row (bins_row.c), or of several arrays at one subscript (bins_group.c), share a
- * record. So do all iterations of a loop over constants (bins_nest.c) or over a row (bins_span.c).
+ * In-order binning (redcc/bins.h, docs/methods.md): an update becomes a record, which holds the
+ * values that the update reads except for the element itself. A function applies records to the
+ * elements. Adjacent updates of one row (bins_row.c), or of several arrays at one subscript
+ * (bins_group.c), share a record. So do all iterations of a loop with constant bounds (bins_nest.c)
+ * or over a row (bins_span.c).
  *
  * Why it is sound: only the updates access the arrays, so they may be made later. The records of an
  * element are applied in the order of the loop. A record holds the values that its updates would
@@ -44,7 +45,7 @@ typedef enum value_kind {
     VALUE_DOUBLE
 } value_kind;
 
-/** The loops over constants around an update (bins_nest.c), the outermost first. */
+/** The loops with constant bounds around an update (bins_nest.c), the outermost first. */
 typedef struct bins_nest {
     const ir_node *outermost; /* NULL: there are none */
     unsigned depth;
@@ -60,7 +61,8 @@ typedef struct bins_span {
     const ir_node *loop;      /* NULL: none */
     const loop_span *counted; /* the loop's header */
     int64_t first;            /* the counter's first value */
-    unsigned variable_count;  /* the iteration's variables whose values the record keeps: */
+    unsigned variable_count;  /* number of the iteration's variables whose values the record
+                               * stores */
     const ir_variable *variables[MOST_RECORD_OPERANDS];
 } bins_span;
 
@@ -71,20 +73,20 @@ typedef struct bins_record {
     const bins_nest *nest; /* NULL: none */
     const bins_span *span; /* NULL: none */
     unsigned update_count;
-    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the record is appended at the
-                                                           * first, before its nest or span */
+    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in textual order; the record is
+                                                           * appended at the first one, before its
+                                                           * nest or span */
     unsigned stream;
     unsigned operand_count;
     const ir_node *operands[MOST_RECORD_OPERANDS];
-    unsigned tag;
+    unsigned tag; /* number, within the stream, of the statements that apply the record */
 } bins_record;
 
 /** The records of an array, or of arrays that are always updated together. */
 typedef struct bins_stream {
     unsigned array_count;
     unsigned arrays[MOST_STREAM_ARRAYS];
-    value_kind kinds[MOST_RECORD_VALUES]; /* the types of a record's values; after the last one
-                                           * VALUE_NONE */
+    value_kind kinds[MOST_RECORD_VALUES]; /* types of a record's values, then VALUE_NONE */
     unsigned tag_count;
 } bins_stream;
 
@@ -93,29 +95,30 @@ typedef struct bins_plan {
     bins_record *records; /* in each stream in the order of the updates */
     unsigned stream_count;
     bins_stream *streams;
-    int64_t *row_bytes; /* by array: the size of a row, which is an element or adjacent elements */
+    int64_t *row_bytes; /* indexed by array: bytes of a row, which is an element or adjacent
+                         * elements */
     bool has_nests;
-    bins_nest *nests;         /* by update number: its nest, if it has one */
-    bins_span *spans;         /* likewise */
-    uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute; */
-    uint32_t varied_sources;  /* of these, the sources to which later iterations of a chunk may add
-                               * reads */
-    bool is_checked; /* the ranges of all reads and writes are found and compared before any
-                      * iteration executes: the body must not see unverified values */
+    bins_nest *nests;         /* indexed by update number: its nest, if it has one */
+    bins_span *spans;         /* indexed by update number: its span, if it has one */
+    uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute */
+    uint32_t varied_sources;  /* subset of guarded_sources: those to which later iterations of a
+                               * chunk may add reads */
+    bool is_checked; /* the body must not see unverified values, so the ranges of all reads and
+                      * writes are found and compared before any iteration executes */
 } bins_plan;
 
 /** Sets plan->bins, or plan->no_bins: the reason why there are none. */
 void plan_bins(loop_plan *plan);
 
-/** The span whose records the stream has; NULL: it has others. */
+/** The span whose records form the stream, or NULL if the stream has records of another kind. */
 const bins_span *span_of_stream(const bins_plan *bins, unsigned stream);
 
 /** The number of values in a record of the stream. */
 unsigned stream_value_count(const bins_stream *stream);
 /** Does a row of the array have several elements? */
 bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array);
-/** The update's row. Sets *offset to that of its element in the row, in bytes; in a nest, to that
- *  for counters of 0. */
+/** Returns the update's row. Sets *offset to the byte offset of the updated element in its row; in
+ * a nest, to the offset for counters of 0. */
 const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
                            const reduction_update *update, int64_t *offset);
 
@@ -125,20 +128,23 @@ unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduc
                      unsigned part);
 
 /** The array element or member that holds the pointer by which an update of a scattered array
- * reaches its row; NULL: it is held elsewhere, or the array is not scattered. */
+ * reaches its row, or NULL if it is held elsewhere, or the array is not scattered. */
 const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
 
-/** Does the node name the updated element? Equal calls in both subscripts count as equal. */
+/** Does the node name the updated element? If both subscripts contain equal calls, the calls count
+ * as equal. */
 bool is_updated_element(const ir_node *node, const ir_node *target);
 
-/** The number of the operand that equals this node; -1: none. No two calls are equal. */
+/** The number of the operand that equals this node, or -1 if there is none. Two calls never count
+ * as equal. */
 int operand_number(const bins_record *record, const ir_node *node);
 
-/** The level of the nest whose counter the node is; NULL: none. */
+/** The level of the nest whose counter this node is, or NULL if there is none. */
 const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
 /** The number of elements that an update in the nest updates; 1 if `nest` is NULL. */
 unsigned nest_part_count(const bins_nest *nest);
-/** The nest of an update; NULL: it has none, nests are not used, or rows are single elements. */
+/** The nest of an update, or NULL if it has none, nests are not used, or rows are single
+ * elements. */
 const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
                          const reduction_update *update);
 /** The value of a counter when the loops reach element number `part`, counted from 0. */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Finds updates that share a record. Of a run of adjacent update statements, a group contains those
- * of one row of an array, or of rows of different arrays at one subscript. Arrays that occur only
- * together, in all groups, may be one stream. The group's writes are deferred, so its operands do
- * not change while it is executed, and the record at its first statement can hold all of them.
+ * Finds updates that share a record. In a run of adjacent update statements, a group consists of
+ * the updates of one row of an array, or of rows of different arrays at one subscript. Arrays that
+ * occur only together, in all groups, may be one stream. The group's writes are deferred, so its
+ * operands do not change while it is executed, and the record at its first statement can hold all
+ * of them.
  */
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
@@ -12,12 +13,12 @@ typedef struct grouping {
     const loop_facts *facts;
     const bins_plan *bins;
     bool wide;             /* a record may update a row several times */
-    unsigned member_count; /* updates so far, in the order of the text: */
+    unsigned member_count; /* number of updates so far, in textual order */
     struct member {
         const reduction_update *update;
         unsigned group;
     } * members;
-    unsigned count; /* groups so far, numbered in order */
+    unsigned count; /* number of groups so far, in textual order */
     unsigned begin; /* the first group of the current run of adjacent updates */
 } grouping;
 
@@ -44,8 +45,9 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
     return has_row && count < MOST_RECORD_UPDATES;
 }
 
-/** The group for the next update; `count`: a new one. Groups before the last one that updates the
- * array (and it, unless `wide`) are excluded: the array's updates keep their order. */
+/** The group for the next update; g->count means a new one. An array's updates must keep their
+ * order. So groups before the last one that updates the array are excluded; unless `wide`, that one
+ * is excluded, too. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)
@@ -75,7 +77,7 @@ static void find_groups(grouping *g, const ir_node *node) {
     g->begin = g->count;
 }
 
-/** Does each group that updates one of the arrays update both? */
+/** Does each group that updates either array update both? */
 static bool are_always_together(const grouping *g, unsigned a, unsigned b) {
     for (unsigned group = 0; group < g->count; group++)
         if (has_array(g, group, a) != has_array(g, group, b))

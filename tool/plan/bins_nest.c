@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. Each
- * update has one record, appended before the nest, with the operands of all iterations. Since
+ * Loops with constant bounds that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`.
+ * Each update has one record, appended before the nest, with the operands of all iterations. Since
  * updates are applied later, this is legal only if the operands read nothing that the nest changes,
  * and if no update reaches the same element in two iterations of the nest.
  */
@@ -15,7 +15,8 @@
 
 /* ---- the loops ----------------------------------------------------------------------------- */
 
-/** Is this `for (c = FIRST; c < BOUND; c++)` over a few constants, none negative? Sets *level. */
+/** Is this `for (c = FIRST; c < BOUND; c++)` with constant bounds, none negative, and few
+ * iterations? If so, sets *level. */
 static bool is_level(const ir_node *node, struct nest_level *level) {
     const ir_variable *counter;
     ir_variable *stepped;
@@ -85,12 +86,13 @@ static bool is_one_row(const loop_facts *facts, const reduction_update *update,
     return !mentions_counter(nest, row);
 }
 
-/** Sets *nest to the loops around the update, from `outermost` on. False: they cannot be a nest. */
+/** Sets *nest to the loops around the update, from `outermost` on. Returns false if they cannot be
+ * a nest. */
 static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};
     if (!syntax_editable_statement(outermost, facts->counted.body))
-        return false; /* a macro's text may contain more than the loop */
+        return false; /* a macro's expansion may contain more than the loop */
     for (const ir_node *node = outermost; node != update->statement;) {
         const ir_node *next = NULL;
         if (node->kind == IR_FOR) {
@@ -141,8 +143,8 @@ static bool have_equal_parts(const loop_facts *facts, const reduction_update *a,
     return left == left_row && right == right_row;
 }
 
-/** The records of a nest's updates are appended in the order of the statements. Two updates of one
- *  array must reach each element in that order too. */
+/** Do updates of one array reach each element in the order of the statements? The records of a
+ * nest's updates are appended in that order. */
 static bool keeps_order(const loop_facts *facts, const bins_nest *nests, unsigned i) {
     for (unsigned j = 0; nests[i].outermost && j < facts->update_count; j++)
         if (facts->updates[j].array == facts->updates[i].array &&

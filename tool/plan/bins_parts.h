@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Parts of plan_bins: nests, rows, groups, equal records. */
+/** The steps of plan_bins: finding nests, spans, rows, groups, and records that are alike. */
 #ifndef PLAN_BINS_PARTS_H
 #define PLAN_BINS_PARTS_H
 
 #include "plan/bins.h"
 
-/** Sets nests: none if they would change the order of an element's updates. */
+/** Sets bins->nests. There are none if they would change the order of an element's updates. */
 void find_nests(const loop_facts *facts, bins_plan *bins);
-/** The nest of update number `i`, for any rows; NULL: it has none, or nests are not used. */
+/** The nest of update number `i`, for any rows, or NULL if it has none, or nests are not used. */
 const bins_nest *nest_at(const bins_plan *bins, unsigned i);
 
-/** Sets spans. Requires find_nests. */
+/** Sets bins->spans. Requires find_nests. */
 void find_bins_spans(const loop_plan *plan, bins_plan *bins);
 
 /** The largest part of the array that contains the element at a constant offset, or at an offset
@@ -18,8 +18,8 @@ void find_bins_spans(const loop_plan *plan, bins_plan *bins);
 const ir_node *outermost_row(const loop_facts *facts, const reduction_update *update,
                              const bins_nest *nest);
 
-/** Sets row_bytes. Rows are elements or, if `wide`, the structures or arrays in which the loop
- * updates several elements. */
+/** Sets bins->row_bytes. Rows are elements or, if `wide`, the structures or arrays in which the
+ * loop updates several elements. */
 void find_rows(const loop_facts *facts, bins_plan *bins, bool wide);
 
 /** Can the element be addressed by the numbers of its row and of its part? It must have the array's
@@ -34,12 +34,12 @@ bool is_same_row(const loop_facts *facts, const bins_plan *bins, const reduction
                  const reduction_update *right);
 
 /** Sets rows (find_rows), the updates of each record and the arrays of each stream. If `together`,
- *  arrays that are always updated together share a stream. False: an update is outside of the body.
- */
+ * arrays that are always updated together share a stream. Returns false if an update is outside of
+ * the body. */
 bool group_updates(arena *a, const loop_facts *facts, bins_plan *bins, bool wide, bool together);
 
-/** Do both records make the same updates, except for rows and operands' values? Both are of one
- * stream. */
+/** Do both records make the same updates, except for rows and operands' values? Both must belong to
+ * one stream. */
 bool records_are_alike(const loop_facts *facts, const bins_plan *bins, const bins_record *a,
                        const bins_record *b);
 

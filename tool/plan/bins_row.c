@@ -25,7 +25,7 @@ static bool is_within(const struct nest_level *level, const ir_type *array) {
 }
 
 /** Is the node a part of the array or record in its first child, at an offset that is constant or
- *  given by a counter of the nest? Adds a constant one to *offset. */
+ * given by a counter of the nest? Adds a constant offset to *offset. */
 static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *offset) {
     const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
     if (!whole || !whole->type || whole->type->size <= 0)
@@ -56,7 +56,8 @@ const ir_node *outermost_row(const loop_facts *facts, const reduction_update *up
     return row;
 }
 
-/** Does the loop update two different elements of one row of the array, or the array in a nest? */
+/** Does the loop update two different elements of one row of the array, or update the array in a
+ * nest? */
 static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     for (unsigned i = 0; i < facts->update_count; i++) {
         if (facts->updates[i].array == array && nest_at(bins, i))
@@ -136,7 +137,7 @@ static bool is_row_reached(const loop_facts *facts, const reduction_update *upda
                : loop_array_of_base(facts, node) == (int)update->array;
 }
 
-/** Does the element have its type's alignment? A member of a packed record need not. */
+/** Does the element have its type's alignment? A member of a packed record may lack it. */
 static bool is_aligned(const loop_facts *facts, const reduction_update *update) {
     const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
     const ir_node *node = update->target;

@@ -2,15 +2,16 @@
 /**
  * Inner loops over rows: `for (j = 0; j < n; j++) sum[k][j] += x[i][j];`. One record for the inner
  * loop contains its first element, the number of elements, and the iteration's variables that the
- * operands use. Operands are read when the record is applied. Loops over few constants have records
- * with the operands' values instead (bins_nest.c), unless the array is scattered.
+ * operands use. Operands are read when the record is applied. Loops with constant bounds and few
+ * iterations have records with the operands' values instead (bins_nest.c), unless the array is
+ * scattered.
  *
  * Why operands may be read later: before a record is applied, the guard has shown that the round's
  * reads are disjoint from its updates. The loop's other stores, to own elements, are made after all
  * iterations, and operands that read own elements are rejected. Everything else that the text names
- * is invariant in the loop, or stored in the record. A record's elements are
- * distinct, and a bin applies the record to those that lie within the bin's rows. So each element
- * gets its updates in the order of the loop, even if rows overlap.
+ * is invariant in the loop, or stored in the record. A record's elements are distinct, and a bin
+ * applies the record to those that lie within the bin's rows. So each element gets its updates in
+ * the order of the loop, even if rows overlap.
  */
 #include "analysis/base/expression.h"
 
@@ -92,7 +93,7 @@ static bool is_only_update(const loop_facts *facts, const reduction_update *upda
     return true;
 }
 
-/** The `for` whose body is this statement alone; NULL: none. */
+/** The `for` whose body is this statement alone, or NULL if there is none. */
 static const ir_node *loop_around_only(const ir_node *statement) {
     const ir_node *parent = statement->parent;
     if (parent && parent->kind == IR_BLOCK && parent->child_count == 1)
@@ -100,8 +101,8 @@ static const ir_node *loop_around_only(const ir_node *statement) {
     return parent && parent->kind == IR_FOR && parent->children[3] == statement ? parent : NULL;
 }
 
-/** Does this part of the header set or declare only the counter? The record's values and its first
- *  element are computed before the header. */
+/** Does this part of the header set or declare no variable but the counter? The record's values and
+ * its first element are computed before the header. */
 static bool sets_only(const ir_node *node, const ir_variable *counter) {
     const ir_node *written = expression_written(node);
     if (written && (written->kind != IR_VARIABLE || written->variable != counter))

@@ -63,15 +63,15 @@ static bool is_steady(const loop_facts *facts, const ir_node *node) {
     }
 }
 
-/** Does the counter have each value with which the comparison compares it? Other integers could lie
- *  beyond all its values, or a negative counter would be compared as a large number. */
+/** Can the counter have every value that the bound may have? Otherwise the bound could be beyond
+ * all the counter's values, or C would compare a negative counter as a large number. */
 static bool has_values_of(const ir_type *counter, const ir_type *bound) {
     return ir_type_is_plain_integer(bound) &&
            (bound->size < counter->size ||
             (bound->size == counter->size && (bound->is_signed || !counter->is_signed)));
 }
 
-/** Is it a constant so near to 0 that no step leads from before it beyond the counter's limits? */
+/** Is the bound a constant so near to 0 that the step across it cannot overflow the counter? */
 static bool is_near(const ir_node *bound, int64_t step, const ir_type *counter) {
     enum { FAR = (1 << 30) - 1 };
     return bound->flags & IR_HAS_VALUE && bound->value <= FAR && step >= -FAR && step <= FAR &&

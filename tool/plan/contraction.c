@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Forbids compilers to contract a multiplication and an addition into an operation with one
+ * Prevents compilers from contracting a multiplication and an addition into an operation with one
  * rounding. Unless any order is permitted, the serial and the parallel form of a loop must give the
- * same bits, so neither may be contracted. Nor may an inspector compute other subscripts than its
- * executor.
+ * same bits, so neither may be contracted. An inspector must not compute other subscripts than its
+ * executor, either.
  *
  * Usually contraction is forbidden in the functions that contain loops and in the generated text.
  * It is forbidden in the whole file if a loop calls a function of the file with a contractible
  * expression: gcc may inline the callee into one form of the loop, and call it, contracted, in
- * another. Likewise if a function cannot get the attribute (may_have_attribute), if a loop has
- * lanes, if the file may name a target, or if a macro changes the pragma.
+ * another. The same holds if a function cannot get the attribute that forbids contraction
+ * (may_have_attribute), if a loop has lanes, if the file may select another processor
+ * (`target`), or if a macro changes the pragma.
  */
 #include "plan/contraction.h"
 
@@ -19,7 +20,7 @@
 
 /** Floating-point operations of a loop or of functions that it calls, directly or indirectly. */
 typedef struct reach {
-    bool *is_seen; /* by function */
+    bool *is_seen; /* indexed by function */
     bool multiplies, adds;
 } reach;
 
@@ -31,7 +32,7 @@ static bool is_arithmetic_of_other_kind(const ir_type *type) {
 static void note_operation(reach *r, const ir_node *node) {
     const ir_type *type = node->kind == IR_ASSIGN && node->child_count > 1 &&
                                   !is_arithmetic_of_other_kind(node->children[0]->type)
-                              ? node->children[1]->type /* i += x: computed in the type of x */
+                              ? node->children[1]->type /* `i += x` is computed in the type of x */
                               : node->type;
     if (!is_arithmetic_of_other_kind(type))
         return;
@@ -67,7 +68,8 @@ static void collect_operations(reach *r, const ir_node *node) {
         collect_operations(r, node->children[i]);
 }
 
-/** Collects the operations of called functions only: in the loop contraction is forbidden. */
+/** Collects the operations of called functions only, because contraction is forbidden in the loop
+ * itself. */
 static void collect_calls(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);
@@ -89,9 +91,10 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
 
 /* ---- places -------------------------------------------------------------------------------- */
 
-/** May the function get an attribute that forbids contraction? Not if it is declared inline: gcc
- * does not inline a function into another if only one of them may be contracted. Nor if it has no
- * place in front, or begins with its name (C allows no attribute there) or with a directive. */
+/** May the function get an attribute that forbids contraction? Not if it is declared inline,
+ * because gcc does not inline a function into another if only one of them may be contracted. Nor if
+ * nothing can be inserted before it, or if it begins with its name (C allows no attribute there) or
+ * with a directive. */
 static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
     return has_place_in_front(unit, function) &&

@@ -13,14 +13,14 @@ typedef enum contraction {
     CONTRACTION_OFF_IN_FILE
 } contraction;
 
-/** Decides for all loops to be transformed. Only with CONTRACTION_OFF_IN_LOOPS sets is_forbidden,
- * by verdict: the loop, or a function that it calls, has an operation that could be contracted,
- *  perhaps with one outside. */
+/** Decides where contraction is turned off, for all loops to be transformed. If the result is
+ * CONTRACTION_OFF_IN_LOOPS, sets is_forbidden[] by verdict: true if the loop, or a function that it
+ * calls, has an operation that could be contracted, perhaps with one outside. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
                            const plan_options *options, bool has_lanes, bool *is_forbidden);
 
-/** May an attribute or pragma of the file select another processor for functions? The file's head
- * cannot test the macros of that processor. */
+/** May an attribute or pragma of the file select another processor for functions? The text at the
+ * beginning of the written file cannot test the macros of that processor. */
 bool may_name_targets(const ir_unit *unit);
 
 #endif

@@ -22,15 +22,15 @@ key_form form_of_key(const ir_type *type) {
     case IR_POINTER:
     case IR_ARRAY:
         return KEY_POINTER;
-    case IR_FLOATING: /* a long double has padding bytes */
+    case IR_FLOATING: /* a long double has padding bytes, so it cannot be a key */
         return type->size <= 8 && type->spelling ? KEY_BYTES : KEY_UNFIT;
     default:
         return KEY_UNFIT;
     }
 }
 
-/** May a plan be kept? The bases of the rows read may have moved, so it must be possible to read
- * them before the loop. All keys must fit words. */
+/** May the runtime keep a plan? In a later execution the bases of the rows read may have moved, so
+ * it must be possible to read the bases before the loop. All keys must fit into words. */
 static bool is_verifiable(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (!facts->slice.is_verifiable)
@@ -98,8 +98,8 @@ static bool has_search(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** The innermost loop around a statement of the body, except for loops over constants (components
- * of a vector). NULL: none. */
+/** The innermost loop around a statement of the body, except for loops with constant bounds
+ * (components of a vector). Returns NULL if there is none. */
 static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
     for (; node != facts->loop; node = node->parent) {
         const ir_variable *counter;
@@ -110,8 +110,8 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Are there updates in inner loops, all of which the inspector logs as spans? Its slice must
- * neither search nor run in a pre-check. */
+/** Are some updates in inner loops, and does the inspector log each of these loops as a span? Its
+ * slice must neither search nor run in a pre-check. */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;

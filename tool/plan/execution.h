@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Properties of a loop that decide whether the runtime may keep a plan, copy arrays, or skip
- *  iterations. */
+/** Properties of a loop that decide whether the runtime may keep a plan (docs/glossary.md), copy
+ * arrays, or skip iterations. */
 #ifndef PLAN_EXECUTION_H
 #define PLAN_EXECUTION_H
 
 #include "plan/plan.h"
 
-/** How the value of a key is stored in words of 64 bits; KEY_UNFIT: it cannot be, and no plan is
- *  kept. */
+/** How the value of a key is stored in 64-bit words; KEY_UNFIT: it cannot be stored, so no plan is
+ * kept. */
 typedef enum key_form { KEY_INTEGER, KEY_POINTER, KEY_BYTES, KEY_UNFIT } key_form;
 key_form form_of_key(const ir_type *type);
 
@@ -16,7 +16,7 @@ key_form form_of_key(const ir_type *type);
  *  report overflows of partial sums. */
 bool may_be_copied(const loop_plan *plan, const reduction_array *array);
 
-/** Sets execution. Requires has_ready_base. */
+/** Sets plan->execution. Requires has_ready_base. */
 void plan_execution(loop_plan *plan);
 
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A place is the variable, a member of it, or an element of a short array. For elements, short
- * loops over constants are interpreted, so that a counter used as a subscript is a known number.
- * Statements are classified in the order of their execution, up to the first assignment that is
- * always executed. Control leaves a statement early only by `continue`, `break` or `return`, and
- * then does not reach what follows the statement.
+ * A place is the variable in question, a member of it, or an element of a short array. For
+ * elements, short loops with constant bounds are interpreted, so that a counter used as a subscript
+ * is a known number. Statements are classified in the order of their execution, up to the first
+ * assignment that is always executed. Control leaves a statement early only by `continue`, `break`
+ * or `return`; in that case it does not reach what follows the statement.
  */
 #include "plan/fresh.h"
 
@@ -14,7 +14,7 @@
 
 enum { MOST_ELEMENTS = 16 };
 
-/** A counter's value in the present iteration of a loop over constants. */
+/** A counter's value in the present iteration of a loop with constant bounds. */
 typedef struct known {
     const ir_variable *counter;
     int64_t value;
@@ -23,8 +23,8 @@ typedef struct known {
 
 typedef struct place {
     const ir_variable *variable;
-    const ir_field *field; /* if the variable is a record */
-    int64_t element;       /* if it is an array */
+    const ir_field *field; /* the member, if the variable is a record */
+    int64_t element;       /* the subscript, if the variable is an array */
     const known *known;
 } place;
 
@@ -108,7 +108,8 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
-/** Classifies a few iterations in order, each with its counter's value. None of them ends early. */
+/** Classifies a few iterations in order, each with its counter's value. Requires that no iteration
+ * ends early. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
     finding found = FRESH;
@@ -121,8 +122,8 @@ static finding in_iterations(const place *p, const ir_node *node, int64_t first,
     return found;
 }
 
-/** Unless the iterations are known, the body counts as one that ASSIGNS nothing: it may not be
- * executed at all, and `continue` may leave it anywhere. */
+/** Unless the iterations are known, the body is assumed to assign nothing: it may not be executed
+ * at all, and `continue` may leave it anywhere. */
 static finding in_for(const place *p, const ir_node *node) {
     const finding first = find_in(p, node->children[0]);
     if (first != FRESH)
@@ -160,7 +161,8 @@ static finding find_in(const place *p, const ir_node *node) {
     }
 }
 
-/** Is the variable named only as `variable.field`, with a scalar that is no bit-field? */
+/** Is the variable named only as `variable.field`, where the field is a scalar and not a
+ * bit-field? */
 static bool names_only_members(const ir_node *node, const ir_variable *variable) {
     if (expression_is_variable(node, variable))
         return false;

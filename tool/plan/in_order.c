@@ -15,7 +15,7 @@ static bool mentions(const ir_node *node, const ir_node *row) {
     return false;
 }
 
-/** The variable that contains the row; NULL: a pointer leads to the row. */
+/** The variable that contains the row, or NULL if a pointer leads to the row. */
 static const ir_variable *variable_with(const ir_node *row) {
     while ((row->kind == IR_MEMBER && !(row->flags & IR_ARROW)) ||
            (row->kind == IR_INDEX && row->children[0]->type->kind == IR_ARRAY))
@@ -45,8 +45,8 @@ bool has_values_from_before(const loop_facts *facts) {
     return false;
 }
 
-/** Does an iteration compute values from its number (stepped variables), or leave results that are
- * stored after all iterations? */
+/** Does an iteration compute values from its number (stepped variables), or does it have results
+ * that are stored after all iterations? */
 static bool counts_iterations(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped ||

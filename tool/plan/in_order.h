@@ -7,7 +7,8 @@
 
 #include "analysis/base/facts.h"
 
-/** May an update change a value that the executor reads before the loop, or keeps until its end? */
+/** May an update change a value that the executor reads before the loop, or stores only after
+ * it? */
 bool has_values_from_before(const loop_facts *facts);
 
 /** May the body, executed in order, replace the sequential loop from any iteration on, and are the

@@ -12,14 +12,15 @@
 #include "plan/unconditional.h"
 
 enum {
-    LEAST_WORK = 4, /* floating-point operations or calls for which another ownership check pays */
+    LEAST_WORK = 4, /* number of floating-point operations and calls for which another ownership
+                     * check pays */
     MOST_SUMS = 12
 };
 
 typedef struct inner_rest {
     const loop_facts *facts;
-    const ir_node *inner; /* the loop */
-    const ir_node *block; /* the loop's body */
+    const ir_node *inner; /* the inner loop */
+    const ir_node *block; /* the inner loop's body */
     unsigned rest;        /* index in `block` of the first statement that may be skipped; "the
                            * rest" is all from there on */
     unsigned row_count;
@@ -128,7 +129,7 @@ static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_insid
     default:
         break;
     }
-    if (is_series_update(t, node)) { /* the leading thread executes the rest completely */
+    if (is_series_update(t, node)) { /* the leader executes the rest completely */
         t->adds_to_series = true;
         return false;
     }
@@ -165,7 +166,7 @@ static bool may_be_left_out(inner_rest *t) {
     return work >= LEAST_WORK;
 }
 
-/* ---- when its rows are known ----------------------------------------------------------------- */
+/* ---- where the rows are known ---------------------------------------------------------------- */
 
 /** The number of places that give the variable a value. */
 static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
@@ -196,8 +197,9 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     return false;
 }
 
-/** Lets the rest begin after the last statement that sets the variable. False: the variable may
- * have no value there, or its address is taken, so that it may change before the row is updated. */
+/** Moves the beginning of the rest behind the last statement that sets the variable. Returns false
+ * if the variable may have no value there, or if its address is taken, so that it may change before
+ * the row is updated. */
 static bool begin_after_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -225,7 +227,8 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
     return a->array == b->array && syntax_same(a->row, b->row);
 }
 
-/** The nested loop, in the inner iteration, that steps through the update's rows; NULL: none. */
+/** The nested loop, in the inner iteration, that steps through the update's rows, or NULL if there
+ * is none. */
 static const loop_span *span_below(const inner_rest *t, const reduction_update *update) {
     const ir_node *const end = ir_contains(t->inner, update->statement) ? t->inner : NULL;
     for (const ir_node *node = update->statement->parent; end && node != end; node = node->parent) {
@@ -236,7 +239,7 @@ static const loop_span *span_below(const inner_rest *t, const reduction_update *
     return NULL;
 }
 
-/** The value that the loop's header gives the variable; NULL: another statement sets it. */
+/** The value that the loop's header gives the variable, or NULL if another statement sets it. */
 static const ir_node *first_value(const loop_span *span, const ir_variable *variable) {
     const counted_loop *counted = &span->counted;
     if (variable == counted->counter)
@@ -247,15 +250,16 @@ static const ir_node *first_value(const loop_span *span, const ir_variable *vari
     return NULL;
 }
 
-/** Lets the rest begin where the value is known. False: it is not known, or computing it reads
- * memory or may trap. */
+/** Moves the beginning of the rest to where the value is known. Returns false if it is not known,
+ * or computing it reads memory or may trap. */
 static bool begin_after_value(inner_rest *t, const ir_node *value) {
     return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
            begin_after_variables(t, value);
 }
 
-/** Lets the rest begin where the variable has the value from which the nested loop steps it. False:
- *  it may have no value or change later, or the nested loop is no statement of the block itself. */
+/** Moves the beginning of the rest to where the variable has the value from which the nested loop
+ * steps it. Returns false if it may have no value or change later, or the nested loop is not a
+ * statement of the block itself. */
 static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable), is_behind = false;
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -273,8 +277,8 @@ static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_var
     return is_set && is_behind && !variable->address_taken;
 }
 
-/** Lets the rest begin where all values are known that determine through which rows the nested loop
- *  steps. */
+/** Moves the beginning of the rest to where all values are known that determine through which rows
+ * the nested loop steps. */
 static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped) {
@@ -292,8 +296,8 @@ static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node
     return true;
 }
 
-/** Adds the update's row to those that are checked. False: there are too many rows, or this one
- *  cannot be computed before the rest. */
+/** Adds the update's row to the rows that are checked. Returns false if there are too many rows, or
+ * this one cannot be computed before the rest. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)
@@ -341,7 +345,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** As flows_into_updates, but only for the subscripts of a sum like p[c][d]. */
+/** Like flows_into_updates, but only for the subscripts of a sum like p[c][d]. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))
@@ -349,8 +353,8 @@ static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_varia
     return true;
 }
 
-/** Is the sum read only by updates outside of the inner loop, and is none of these elements read
- *  again? Adds the updates' rows. */
+/** Is the sum read only by updates outside of the inner loop, and are the elements that they update
+ * not read again? Adds the updates' rows. */
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum) {
     const reduction_update *update = loop_update_at(t->facts, node);
     if (update && expression_mentions(node, sum))

@@ -29,14 +29,15 @@ enum { MOST_SKIP_ROWS = 8 };
 
 /** Rows that an inner iteration updates. */
 typedef struct skip_row {
-    const reduction_update *update; /* one that updates them */
-    const loop_span *span; /* the nested loop that steps through them; NULL: it is one row */
+    const reduction_update *update; /* an update that changes them */
+    const loop_span *span; /* the nested loop that steps through them, or NULL if it is one row */
 } skip_row;
 
 /** An inner loop whose iterations are skipped by threads that own none of the rows. */
 typedef struct inner_skip {
     const ir_node *loop;
-    const char *declined;  /* the reason why nothing is skipped; NULL: the following is set */
+    const char *declined;  /* the reason why nothing is skipped, or NULL if the following fields are
+                            * set */
     const ir_node *before; /* the statement of the loop's body before which ownership is checked */
     bool needs_leader;     /* the skipped part adds to series, or may set errno: the thread that
                             * leads in an iteration skips nothing */
@@ -44,13 +45,13 @@ typedef struct inner_skip {
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
-/** Sets skips: an entry for each inner loop, with the reason if nothing is skipped. */
+/** Sets plan->skips: an entry for each inner loop, with the reason if nothing is skipped. */
 void plan_inner_skips(loop_plan *plan);
 
-/** Must one of the threads that execute an iteration execute all of it? */
+/** Must one of the threads that execute an iteration, its leader, execute all of it? */
 bool plan_has_leaders(const loop_plan *plan);
 
-/** The plan's entry for this inner loop; NULL: no part of it is skipped. */
+/** The plan's entry for this inner loop, or NULL if no part of it is skipped. */
 const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop);
 
 #endif

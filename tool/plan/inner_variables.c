@@ -28,8 +28,8 @@ static bool header_sets(const ir_node *start, const ir_variable *variable) {
 
 typedef enum answer { ANSWER_NONE, ANSWER_SET, ANSWER_STALE } answer;
 
-/** Searches backwards from `node` in its block. ANSWER_STALE: the value may be of an iteration of
- * `inner`. */
+/** Searches backwards from `node` in its block for a statement that sets the variable.
+ * ANSWER_STALE: the value may come from an iteration of `inner`. */
 static answer search_before(const ir_node *block, const ir_node *node, const ir_node *inner,
                             const ir_variable *variable) {
     unsigned i = 0;

@@ -49,10 +49,11 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
            lane_is_real(call->type) && call->child_count > 1;
 }
 
-/** Calls per iteration of functions whose bodies are not searched. */
+/** Numbers of calls per iteration of functions without a body in the file. Calls in the bodies of
+ * called functions are included. */
 typedef struct calls {
-    int64_t failing;     /* those that may set errno */
-    int64_t by_lane;     /* those without a vector form */
+    int64_t failing;     /* calls that may set errno */
+    int64_t by_lane;     /* calls without a vector form */
     unsigned errors;     /* the values that errno may get */
     const ir_node *last; /* the body's last call that may fail */
 } calls;

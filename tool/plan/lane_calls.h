@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Calls of the C library in iterations executed as lanes. A function without a vector form is
- * called lane by lane, at the place of the call: its bits are the library's, for any order of
- * calls. The order matters only to errno, which keeps the value of the last call that fails. Lanes
- * make each call for all iterations before the next call, and calls in update statements last.
- * So lanes are allowed only if all calls fail in the same way, or at most one call per iteration
- * can fail, or only calls in update statements can.
+ * called lane by lane, at the place of the call: its results have the library's bits, whatever the
+ * order of the calls. The order matters only to errno, which keeps the value of the last call that
+ * fails. Lanes make each call for all iterations before the next call, and calls in update
+ * statements last. So lanes are allowed only if all calls fail in the same way, or at most one call
+ * per iteration can fail, or only calls in update statements can.
  */
 #ifndef PLAN_LANE_CALLS_H
 #define PLAN_LANE_CALLS_H
@@ -15,18 +15,20 @@
 /** Cost of a call made lane by lane, in operations. */
 enum { LANE_CALL_WORK = 40 };
 
-/** May the call be made lane by lane? It must be of a known function of the C library that takes
- * and returns doubles or floats. */
+/** May the call be made lane by lane? Its callee must be a known function of the C library that
+ * takes and returns doubles or floats. */
 bool lane_may_call(const ir_unit *unit, const ir_node *call);
 
 /** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf,
  *  fabsf), or NULL. */
 const char *lane_known_call(const ir_function *callee);
 
-/** Records a problem if errno may differ after the loop from that after the sequential loop. */
+/** Records a problem if errno may have another value after the loop than after the sequential
+ * loop. */
 void lane_check_errors(lane_scope *l);
 
-/** Calls per iteration that are made lane by lane, without those in update statements. */
+/** The number of calls per iteration that are made lane by lane, except for those in update
+ * statements. */
 int64_t lane_count_calls(const lane_scope *l);
 
 #endif

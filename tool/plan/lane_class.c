@@ -95,8 +95,8 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
-/** The LANE_VECTOR variable whose element or value the node is; NULL: none, or a subscript is not
- *  allowed. */
+/** The LANE_VECTOR variable whose element or value the node is, or NULL if there is none, or a
+ * subscript is not allowed. */
 static const ir_variable *vector_root(const lane_scope *l, const ir_node *node,
                                       bool (*allows)(const lane_scope *l,
                                                      const ir_node *subscript)) {
@@ -157,14 +157,14 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node) {
         (node->kind == IR_UNARY &&
          (node->op == IR_OP_DEREFERENCE || node->op >= IR_OP_PRE_INCREMENT)))
         return false;
-    /* undefined if the value is outside of the integer's range */
+    /* the cast is undefined if the value is outside of the integer's range */
     if (node->kind == IR_CAST && !lane_is_real(node->type) && lane_is_real(node->children[0]->type))
         return false;
     const bool is_arithmetic =
         (node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR) ||
         (node->kind == IR_UNARY && node->op == IR_OP_MINUS && node->children[0]->kind != IR_NUMBER);
     if (is_arithmetic && !lane_is_real(node->type) && !(node->flags & IR_HAS_VALUE))
-        return false; /* of integers: it may overflow, or divide by 0 */
+        return false; /* integer arithmetic may overflow, or divide by 0 */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!lane_is_safe(l, node->children[i]))
             return false;
@@ -185,7 +185,7 @@ static bool is_of_updates(const lane_scope *l, const ir_node *node) {
     return !l->function && node->kind == IR_DECLARATOR && lane_updating(l, node);
 }
 
-/** The class of a variable before the classes are propagated. */
+/** The class of a variable before classes are propagated. */
 static lane_class first_class(lane_scope *l, const ir_variable *variable, const ir_node *node) {
     const ir_type *type = variable->type;
     const ir_type *innermost = ir_type_innermost(type);
@@ -285,8 +285,8 @@ static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
     return false;
 }
 
-/** A private integer or pointer is the same for all lanes only if all of them execute every write
- *  of it. */
+/** If only some lanes execute this write of a uniform integer or pointer, makes the variable
+ * LANE_VARYING. */
 static void propagate_divergent_write(propagation *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);
@@ -301,7 +301,8 @@ static void propagate_divergent_write(propagation *s, const ir_node *node) {
     s->has_changed = true;
 }
 
-/** Variables written in an update statement are per lane, except for loop counters. */
+/** If an update statement writes a uniform variable that is not a loop counter, makes it
+ * LANE_VARYING. */
 static void propagate_update_write(propagation *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);

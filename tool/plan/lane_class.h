@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Classes of an iteration's variables when several iterations are executed at once. The class of an
- * expression follows from those of its variables. Inner loops are the same for all lanes; an `if`
- * may concern some lanes only. Updates are executed lane by lane.
+ * expression follows from those of its variables. All lanes execute the same iterations of inner
+ * loops; an `if` may concern some lanes only. Updates are executed lane by lane.
  *
  * An integer or pointer is uniform if all values assigned to it are uniform, and all lanes execute
  * all its assignments. Update statements may assign it only as a loop's counter. Classes are
@@ -17,9 +17,10 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer per lane: an array of them */
-    LANE_MASK, /* a const integer initialised by comparisons of reals: a vector of -1 (true) or 0 */
-    LANE_LOCAL, /* declared in an update statement: private to each lane's updates */
-    LANE_VECTOR /* a double or float, or an array of them, per lane: vectors */
+    LANE_MASK,    /* a const integer initialised by comparisons of doubles or floats: a vector of -1
+                   * (true) or 0 */
+    LANE_LOCAL,   /* declared in an update statement: private to each lane's updates */
+    LANE_VECTOR   /* a double or float, or an array of them, per lane: vectors */
 } lane_class;
 
 /** The code that gets a vector form: the loop's body, or a function that it calls. */
@@ -27,7 +28,7 @@ typedef struct lane_scope {
     const loop_plan *plan;
     const ir_function *function; /* NULL: the loop's body */
     const ir_node *body;
-    lane_class *class_of; /* by variable */
+    lane_class *class_of; /* indexed by variable */
     ir_range place;       /* the range of the last statement that the file itself contains */
     lanes_outcome *outcome;
 } lane_scope;
@@ -50,10 +51,10 @@ bool lane_is_plain(const ir_node *node);
 /** Is a LANE_VECTOR variable used other than through one of its elements? */
 bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);
 bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
-/** The LANE_VECTOR variable whose value the node is, or whose element with uniform subscripts;
- * NULL: none. */
+/** The LANE_VECTOR variable that the node names as a whole or by an element with uniform
+ * subscripts, or NULL if there is none. */
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
-/** The same, but subscripts may differ between lanes. */
+/** Like lane_vector_root, but subscripts may differ between lanes. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
 /** Is the type double or float? Only these have vectors. */
 bool lane_is_real(const ir_type *type);
@@ -63,11 +64,11 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node);
 bool lane_has_operator(ir_operator op);
 /** The reason why an operand that is not plain is rejected. */
 lane_reason lane_effect_of(const ir_node *node);
-/** The type of an operator's result: double if an operand is, else float. NULL: neither operand is
- *  real, or one is neither real nor an integer. */
+/** The type of an operator's result: double if an operand is double, otherwise float. Returns NULL
+ * if neither operand is a double or float, or one is neither that nor an integer. */
 const ir_type *lane_common(const ir_type *left, const ir_type *right);
-/** `d > 0 ? 1 : 0`: may the operands be converted before the selection? Not if C first converts one
- * to another integer type. */
+/** In a conditional expression such as `d > 0 ? 1 : 0`: may the operands be converted before the
+ * selection? Not if C first converts one to another integer type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node);
 
 #endif

@@ -20,9 +20,9 @@ typedef struct lanes_outcome {
     ir_range range; /* the place of the reason, or the loop, in the main file */
 } lanes_outcome;
 
-/** For example "used-below"; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */
+/** The reason's short name, such as "used-below"; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */
 const char *lane_reason_slug(lane_reason why);
-/** A sentence without a full stop; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */
+/** The reason as a sentence without a full stop; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */
 const char *lane_reason_message(lane_reason why);
 
 #endif

@@ -28,7 +28,7 @@ lane_reason plan_lanes(const loop_plan *plan) {
     if (!facts->inspector.exists)
         return NO_LANES_INSPECTOR;
     if (leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits ||
-        plan_has_leaders(plan)) /* skipped inner iterations may set errno */
+        plan_has_leaders(plan)) /* a leader is needed, for example, if skipped code may set errno */
         return NO_LANES_OTHER_VALUES;
     if (plan->options->order == ORDER_ANY)
         return NO_LANES_ANY_ORDER;
@@ -57,8 +57,8 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** The variable that this node declares, assigns or steps; NULL: none. Sets *other if only a part
- * of it, or the target of a pointer, is assigned. */
+/** The variable that this node declares, assigns or steps, or NULL if there is none. Sets *other if
+ * only a part of it, or the target of a pointer, is assigned. */
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
         return node->variable;
@@ -119,9 +119,9 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
     return NULL;
 }
 
-/** Work that is executed lane by lane, in statements with updates. */
+/** Work of statements with updates, which is executed lane by lane. */
 typedef struct scalar_work {
-    int64_t outside;    /* nodes outside of the updates themselves */
+    int64_t outside;    /* number of IR nodes outside of the updates themselves */
     int64_t operations; /* all operations of these statements, and calls made lane by lane */
 } scalar_work;
 
@@ -148,7 +148,7 @@ void lane_check_worth(lane_scope *l) {
         lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
 }
 
-/** Has the node, in an expression, an effect other than a call? */
+/** Does the node, in an expression, have an effect other than a call? */
 static bool is_effect(const ir_node *node) {
     return node->kind == IR_ASSIGN || node->kind == IR_OPAQUE || node->kind == IR_STRING ||
            node->kind == IR_INITIALIZERS || ir_is_increment(node);
@@ -215,7 +215,8 @@ static bool check_update_node(ir_node *node, void *context) {
     return true;
 }
 
-/** May the node change the variable: assign it, declare it, take its address, or name an array? */
+/** May the node change the variable: assign it, declare it, take its address or, if it is an array,
+ * name it? */
 static bool may_change(const ir_node *node, const ir_variable *variable) {
     bool other = false;
     if (assigned_by(node, &other) == variable)
@@ -302,7 +303,7 @@ bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
     return true;
 }
 
-enum { MOST_DEPTH = 8 /* of calls */ };
+enum { MOST_DEPTH = 8 /* nesting depth of calls */ };
 
 const ir_type *lane_vector_type(const ir_variable *variable) {
     const ir_type *type = variable->type;

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Decides which loops have a form that executes several iterations at once (redcc/lanes.h), and how
- * their statements are executed in it.
+ * Decides which loops have a form that executes several iterations at once, each in a lane
+ * (redcc/lanes.h), and how their statements are executed in it.
  *
  * A body is split into computations, which are executed for all lanes at once, and updates, which
  * are executed iteration by iteration after them. Why it is sound: no iteration reads what another
- * one updates, or the loop could not run in parallel. No statement after an update in the body
- * changes the update's operands. Each element gets its updates in the order of the loop.
+ * one updates; otherwise the loop could not run in parallel. No statement after an update in the
+ * body changes the update's operands. Each element gets its updates in the order of the loop.
  */
 #ifndef PLAN_LANES_H
 #define PLAN_LANES_H
 
 #include "plan/lane_class.h"
 
-/** The reason why the loop has no such form, as far as known before the body is analysed;
- *  LANES_NOT_ASKED: none is requested; LANES_WRITTEN: no reason is known yet. */
+/** The reason why the loop has no lanes, as far as known before the body is analysed;
+ * LANES_NOT_ASKED: none are requested; LANES_WRITTEN: no reason is known yet. */
 lane_reason plan_lanes(const loop_plan *plan);
 
 /** Does the `for` initialise the variable? */
@@ -32,7 +32,7 @@ bool lane_is_exit(const ir_node *statement);
  * statements without updates? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
 
-/** The update statement of the body that contains the node; NULL: the node is computed for all
+/** The update statement of the body that contains the node, or NULL if the node is computed for all
  * lanes at once. */
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
 
@@ -52,7 +52,7 @@ void lane_check_operand(lane_scope *l, const ir_node *value);
 /** Are the iterations of an inner `for` the same for all lanes? */
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop);
 /** May the function, at this call depth, get a vector form? It must belong to this file, have fixed
- * parameters, and return nothing, or a real at its end. */
+ * parameters, and return nothing, or a double or float at its end. */
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth);
 /** The class of the parameter in a call with this argument. Records a problem if there is none. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);

@@ -32,7 +32,8 @@ static const char *skip_comment(const char *at, const char *end) {
     return end;
 }
 
-/** Predefined macros that generated text uses intentionally (emit/body, redcc/loop.h). */
+/** Is the word a predefined macro that generated text uses intentionally (emit/body,
+ * redcc/loop.h)? */
 static bool is_meant(const char *word, size_t length) {
     static const char *const meant[] = {"__ATOMIC_RELAXED", "__ATOMIC_ACQUIRE"};
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
@@ -74,7 +75,7 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
     return NULL;
 }
 
-/** All words of the runtime's headers; this folder's CMakeLists.txt reads them. */
+/** All words of the runtime's headers, listed by this folder's CMakeLists.txt. */
 static const char *const words_of_header[] = {
 #include "header_words.inc"
 };
@@ -108,7 +109,7 @@ static bool is_declared(const ir_unit *unit, const char *name) {
            meaning_of(unit->text.macros, name) || is_own(unit, name);
 }
 
-/** The macros that the runtime's headers define (CMakeLists.txt). */
+/** The macros that the runtime's headers define, listed by CMakeLists.txt. */
 static const char *const macros_of_header[] = {
 #include "header_macros.inc"
 };
@@ -135,8 +136,9 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-/** The words in the macros of loop.h and of the other headers for generated text (CMakeLists.txt),
- * without the runtime's own names, each with a byte that follows. */
+/** The words in the macros of loop.h and of the other headers for generated text, listed by
+ * CMakeLists.txt without the runtime's own names. Each has the byte that follows it, since only a
+ * `(` lets a function-like macro replace a word. */
 static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };

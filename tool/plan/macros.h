@@ -5,15 +5,17 @@
 
 #include "ir/ir.h"
 
-/** The name of a macro that the preprocessor would replace in the text; NULL: none. */
+/** The name of a macro that the preprocessor would replace in the text, or NULL if there is
+ * none. */
 const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length);
 /** The name of a macro, defined before the program's file begins, that the head of the written file
- *  uses (the runtime's header, pragmas); NULL: none. */
+ * uses (the runtime's header, pragmas), or NULL if there is none. */
 const char *macro_name_in_head(const ir_unit *unit);
-/** A name of the runtime's headers that the program declares, defines or mentions; NULL: none. */
+/** A name of the runtime's headers that the program declares, defines or mentions, or NULL if there
+ * is none. */
 const char *taken_name(const ir_unit *unit);
-/** The name of a macro of the program that would change the macros of the runtime's header; NULL:
- *  none. */
+/** The name of a macro of the program that would change the macros of the runtime's header, or NULL
+ * if there is none. */
 const char *macro_of_header_words(arena *a, const ir_unit *unit);
 
 #endif

@@ -11,7 +11,7 @@ enum { MOST_DEPTH = 8, MOST_ALIASES = 8 };
 typedef struct aliases {
     unsigned count;
     const ir_variable *variables[MOST_ALIASES];
-    unsigned depth; /* of calls */
+    unsigned depth; /* nesting depth of calls */
     bool is_written;
 } aliases;
 
@@ -27,7 +27,7 @@ static bool add(aliases *l, const ir_variable *variable) {
     return true;
 }
 
-/* The whole access path that begins with the node: of p in p->a[i].b, all of it. */
+/* The whole access path that begins with the node: for p in p->a[i].b it is p->a[i].b. */
 static const ir_node *whole_path(const ir_node *node) {
     for (const ir_node *outer = node->parent; outer; node = outer, outer = outer->parent) {
         const bool goes_on = outer->kind == IR_MEMBER || outer->kind == IR_INDEX ||

@@ -5,10 +5,11 @@
 
 #include <stdbool.h>
 
-/** How a result may differ from the sequential loop's (REDCC_ORDER_... of the runtime). */
+/** How results may differ from the sequential loop's: not at all; in rounding, but equal for all
+ * numbers of threads; in rounding from run to run (REDCC_ORDER_... of the runtime). */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
-/** Which loops shall execute several iterations at once, if possible. */
+/** The loops that shall execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
     LANES_OF_HEAVY, /* loops with long iterations */
@@ -18,13 +19,13 @@ typedef enum lanes_wish {
 typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* the user has set `order` */
-    const char *obstacle;   /* the reason why nothing may be written; NULL: none */
-    const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
-                             * that functions of other files are those that were analysed; NULL: no
-                             * loop depends on other files */
+    const char *obstacle;   /* the reason why nothing may be written, or NULL */
+    const char *linked;     /* text to append to the file, or NULL if no loop depends on other
+                             * files. It defines redcc__linked, which checks that functions of other
+                             * files are those that were analysed */
     lanes_wish lanes;
-    const unsigned char *no_lanes; /* by verdict, 1: write no form for several iterations at once;
-                                    * NULL: 0 for all verdicts */
+    const unsigned char *no_lanes; /* indexed by verdict; 1: write no form for several iterations at
+                                    * once; NULL: all are 0 */
 } plan_options;
 
 #endif

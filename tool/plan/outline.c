@@ -10,7 +10,7 @@
 #include "plan/place.h"
 #include "plan/stand_in.h"
 
-enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
+enum { MOST_ARRAYS = 6 /* as many as the macros of loop.h allow */ };
 
 /* ---- the place, and the function's name ---------------------------------------------------- */
 

@@ -14,8 +14,8 @@
 
 /** How a moved function gets a variable. */
 typedef enum passing {
-    NOT_PASSED,        /* not needed: it is declared inside, replaced by a parameter, or visible
-                        * there */
+    NOT_PASSED,        /* not needed: declared inside, replaced by a parameter, or visible to the
+                        * moved function */
     PASSED_BY_VALUE,   /* by value, as a parameter */
     PASSED_BY_ADDRESS, /* by a pointer that replaces its name */
     CANNOT_BE_PASSED
@@ -27,7 +27,7 @@ passing passing_of(const loop_plan *plan, const ir_variable *variable, bool of_b
 /** Is the node a string that is, or may be, __func__? */
 bool says_function_name(const loop_plan *plan, const ir_node *node);
 
-/** The reason why slice and body cannot be moved; NULL: they can. */
+/** The reason why slice and body cannot be moved, or NULL if they can. */
 const char *plan_outline(const loop_plan *plan);
 
 #endif

@@ -34,10 +34,10 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
     return false;
 }
 
-/** Positions in the file after a token; 0: none. */
+/** Positions in the file after a token, or 0 if there is none. */
 typedef struct token_ends {
-    uint32_t last;        /* of the last token */
-    uint32_t declaration; /* of the last ; or } outside of parentheses */
+    uint32_t last;        /* the end of the last token */
+    uint32_t declaration; /* the end of the last ; or } outside of parentheses */
 } token_ends;
 
 /** The position after the last function body that ends before `end`, or the beginning of the file.
@@ -55,7 +55,7 @@ static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     return last;
 }
 
-/** The ends of tokens before `end`; directives and comments are none. */
+/** The ends of tokens before `end`; directives and comments do not count as tokens. */
 static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     unsigned next = 0, depth = 0;
@@ -81,8 +81,8 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     return found;
 }
 
-/** Is there a pragma, other than redcc's, in bytes [begin, end)? It may apply to the text after it,
- *  unless it names what it applies to. */
+/** Is there a pragma, other than redcc's, in bytes [begin, end)? Such a pragma may apply to the
+ * text after it, unless it names what it applies to. */
 static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];

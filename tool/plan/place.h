@@ -19,8 +19,8 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
  * the file includes itself. */
 bool has_place_in_front(const ir_unit *unit, const ir_function *function);
 
-/** Sets *place to the position before the function at which declarations may be inserted. True: it
- * is in the middle of a line, because other text precedes the function there. */
+/** Sets *place to the position before the function at which declarations may be inserted. Returns
+ * true if that is in the middle of a line, because other text precedes the function there. */
 bool place_in_front(const ir_unit *unit, const ir_function *function, uint32_t *place);
 
 #endif

@@ -54,7 +54,8 @@ static void plan_form(loop_plan *plan) {
     if (obstacle)
         plan_obstacle(plan, facts->loop->range, "%s", obstacle);
     plan_prefetch(plan);
-    plan_inner_skips(plan); /* before the bins: no span where one thread leads (bins_span.c) */
+    plan_inner_skips(plan); /* before the bins: a loop in which one thread leads has no spans
+                             * (bins_span.c) */
     if (leaves_variables(facts))
         plan->no_bins = "the loop has live-out variables as well as updates";
     else

@@ -14,15 +14,17 @@
 #include "plan/lane_reason.h"
 #include "plan/options.h"
 
-/** A read that the runtime must know: one or more of the facts' sources that move together. */
+/** A read that the runtime must know: one or more of facts->sources that have the same base or
+ * range (plan_sources). */
 typedef struct logged_source {
-    const loop_source *fact;                                   /* the first of them */
-    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* true of at least one of them */
+    const loop_source *fact;                                   /* the first of these sources */
+    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* each is true if it holds for at
+                                                                * least one of the sources */
 } logged_source;
 
 enum { SOURCE_NOT_LOGGED = -1 };
 
-/** Whether one thread logs all iterations in order before they are inspected (precheck.h). */
+/** Does one thread log all iterations in order before they are inspected (precheck.h)? */
 typedef enum dependence_precheck {
     PRECHECK_NONE,
     PRECHECK_OF_UPDATES, /* updates are checked: the ranges read are known before the loop */
@@ -37,22 +39,22 @@ typedef struct array_section {
 
 /** What the runtime may do with the loop (execution.h). */
 typedef struct execution_plan {
-    bool keeps_plan;            /* the runtime may keep the loop's plan for a key: */
+    bool keeps_plan;            /* the runtime may keep one plan per key */
     unsigned key_count;         /* words of the key, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
     bool needs_every_iteration; /* an iteration may not be skipped, even if it updates nothing */
-    bool needs_whole;    /* no update is made before the guard has compared all accesses: it may
-                          * change a value that the executor reads before the loop or keeps until
-                          * its end */
+    bool needs_whole;    /* the guard must compare all accesses before any update: an update may
+                          * change a value that the executor reads before the loop or stores only
+                          * after it */
     bool may_begin;      /* the first iterations may be executed in order before the inspection, and
                           * the remaining ones as a separate loop */
-    bool is_over_blocks; /* its inspection is short, even if its iterations are long */
+    bool is_over_blocks; /* inspection is short, even if iterations are long */
     int64_t work;        /* operations of an iteration (work.h) */
-    const array_section *sections; /* by array (sections.h); NULL: the loop has none */
+    const array_section *sections; /* by array (sections.h), or NULL if the loop has none */
     result_order order;            /* the order that the results keep */
 } execution_plan;
 
-/** base[subscript]: both are variables of the loop's function. */
+/** An indexed load base[subscript]; both are variables of the loop's function. */
 typedef struct gather {
     const ir_variable *base, *subscript;
 } gather;
@@ -69,27 +71,29 @@ typedef struct prefetch_plan {
 typedef struct loop_plan {
     arena *arena;         /* owns the plan */
     const ir_unit *whole; /* all code of the file */
-    const ir_unit *unit;  /* the same without branches that this compilation never takes */
+    const ir_unit *unit;  /* the file without branches that this compilation never takes */
     const loop_facts *facts;
     const plan_options *options;
-    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
-                      * obstacle is_shadowed and the fields after `precheck` may be unset. id:
-                      * REASON_INDEX_EXPENSIVE if only bins could execute the loop; else NONE */
+    reason obstacle; /* why the loop cannot be written in any form; the message is NULL if it can.
+                      * With an obstacle, is_shadowed and the fields after `precheck` may be unset.
+                      * The id is REASON_INDEX_EXPENSIVE if only bins could execute the loop,
+                      * otherwise NONE */
 
     unsigned source_count;
     const logged_source *sources;
-    const int *source_number;   /* by source of the facts: index in sources, or SOURCE_NOT_LOGGED */
-    const bool *has_ready_base; /* likewise: may its base be read before the loop? */
-    const bool *is_shadowed;    /* for each array: a pointer of its name replaces it in the body */
+    const int *source_number;   /* per facts->sources[i]: index in sources, or SOURCE_NOT_LOGGED */
+    const bool *has_ready_base; /* per facts->sources[i]: may its base be read before the loop? */
+    const bool *is_shadowed;    /* for each array: does a pointer of the same name replace it in the
+                                 * body? */
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;
-    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none */
-    const char *no_bins;          /* the reason why there is none */
+    const struct bins_plan *bins; /* the form for in-order binning (bins.h), or NULL */
+    const char *no_bins;          /* the reason why there are no bins */
     lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;
     const struct inner_skip *skips; /* for each inner loop (inner_iterations.h) */
-    const struct tile_plan *tiles;  /* of a loop over pairs (tiles.h) */
+    const struct tile_plan *tiles;  /* decisions about tiles of a loop over pairs (tiles.h) */
 } loop_plan;
 
 /** Decides the form of a loop that a verdict allows to run in parallel. Allocated in the arena;

@@ -47,7 +47,7 @@ static void check_logged_at(unverified_reads *s, const ir_node *place, control h
             check_source(s, &facts->sources[i], how);
 }
 
-/** Checks the addresses of the updates that the node makes. False: it makes none. */
+/** Checks the addresses of the updates that the node makes. Returns false if it makes none. */
 static bool check_updates_at(unverified_reads *s, const ir_node *node, control how) {
     const loop_facts *facts = s->plan->facts;
     bool is_update = false;

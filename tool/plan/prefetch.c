@@ -7,15 +7,15 @@
 #include "support/vector.h"
 
 enum {
-    /* Operations per iteration. With regular accesses, loops of 126 and 46 lost up to a half by
-     * prefetching, one of 167 gained that much (script/bench lanes, fabric's drag); with irregular
-     * ones all gained. */
+    /* Operations per iteration. Measured with regular accesses (script/bench lanes, the drag of a
+     * fabric): prefetching cost loops of 126 and 46 operations up to half of their speed, and a
+     * loop of 167 operations gained as much. With irregular accesses all loops gained. */
     LEAST_WORK = 12,
     /* Operations of the iterations between a prefetch and its access. */
     AWAITED = 4000,
     LEAST_AHEAD = 2,
     MOST_AHEAD = 16, /* more rows occupy too many entries of the first-level TLB */
-    MOST_DEPTH = 8   /* of calls */
+    MOST_DEPTH = 8   /* nesting depth of calls */
 };
 
 /** Does the slice contain a loop of unknown length? Executing it twice may be too expensive. */
@@ -62,7 +62,8 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** `visited`: functions, with call depth and the loop's variables that were their arguments. */
+/** The state of the search. `visited`: the functions entered, each with its call depth and the
+ * loop's variables that were its arguments. */
 typedef struct gather_search {
     arena *arena;
     map *visited;
@@ -76,7 +77,8 @@ static bool is_new_call(gather_search *search, const frame *in) {
     const void **key = arena_allocate(search->arena, length);
     bool has_variable = false;
     key[0] = in->function;
-    key[1] = (const char *)in->function + in->depth; /* deeper calls leave less depth to follow */
+    key[1] = (const char *)in->function + in->depth; /* the depth, because deeper calls are followed
+                                                      * less far */
     for (unsigned i = 0; i < count; i++) {
         key[i + 2] = resolve(in->caller, ir_child(in->call, i + 1));
         has_variable |= key[i + 2] != NULL;

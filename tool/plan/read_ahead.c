@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Before the first iteration, the generated text evaluates bases of arrays, first and last rows,
- * and keys. These must be expressions that the loop evaluates anyway if it iterates: in
+ * and keys. These must be expressions that the loop evaluates anyway if it iterates. If its body is
  *
  *     if (s) s->b[k[t]] += 1;
  *
- * `s->b` may not be read ahead. An expression can fail if it reads through a pointer or divides;
- * each such part must occur in the loop's header, or in its body on a path that every first
- * iteration takes.
+ * then `s->b` may not be read ahead. An expression can fail if it reads through a pointer or
+ * divides; each such part must occur in the loop's header, or in its body on a path that every
+ * first iteration takes.
  */
 #include "plan/read_ahead.h"
 
@@ -27,7 +27,7 @@ typedef struct search {
 
 static void visit(search *s, const ir_node *node);
 
-/** Sets *value to the counter's initial value. False: it is not constant. */
+/** Sets *value to the counter's initial value. Returns false if it is not constant. */
 static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
     const ir_node *first = NULL;
     if (start->kind == IR_DECLARATION && start->child_count == 1 &&
@@ -75,7 +75,8 @@ static void visit_inner_loop(search *s, const ir_node *loop) {
     } else {
         visit(s, ir_child(loop, 0)); /* the condition, or the body of a do loop */
     }
-    s->may_have_left = may_have_left; /* jumps of an inner loop end there: others are refused */
+    s->may_have_left = may_have_left; /* jumps of an inner loop end there; loops with other jumps
+                                       * are refused */
 }
 
 /** Visits what computing an object's address reads: &e->rest[t] reads the pointer e->rest, and t,
@@ -105,7 +106,7 @@ static void visit_address(search *s, const ir_node *object) {
     }
 }
 
-/** The pointer p of p->a.b; NULL: the node is no member reached by a pointer. */
+/** The pointer p of p->a.b, or NULL if the node is no member reached by a pointer. */
 static const ir_node *structure_of(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = ir_child(node, 0);

@@ -91,8 +91,8 @@ static void check_loop(loop_plan *plan) {
 /* ---- the counter --------------------------------------------------------------------------- */
 
 enum {
-    WIDE_SIZE = 8, /* redcc_int, the type of iteration numbers */
-    STEP_BITS = 40 /* loops with larger steps are not written */
+    WIDE_SIZE = 8, /* size of redcc_int, the type of iteration numbers */
+    STEP_BITS = 40 /* a loop whose step needs more bits is not written */
 };
 
 static bool is_integer(const ir_type *type) {

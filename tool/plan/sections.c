@@ -28,8 +28,8 @@ static const ir_node *enumerator_in(const ir_node *node, const char *name) {
     return found;
 }
 
-/* A use of the enumerator of that name in the functions of the file, which has its value. NULL: the
- * name is no enumerator there, or a function declares the name itself. */
+/* A use of the enumerator `name` in a function of the file; the node has the enumerator's value.
+ * Returns NULL if the name is no enumerator there, or a function declares the name itself. */
 static const ir_node *enumerator_of(const ir_unit *unit, const char *name) {
     const ir_node *found = NULL;
     if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
@@ -41,7 +41,7 @@ static const ir_node *enumerator_of(const ir_unit *unit, const char *name) {
 }
 
 /* The text for a name in the expression: the name of an integer variable, or the value of an
- * enumerator. NULL: it is neither. */
+ * enumerator. Returns NULL if it is neither. */
 static const char *value_of(const loop_plan *plan, const char *name) {
     const ir_variable *variable =
         openmp_variable(plan->unit, plan->facts->loop, plan->facts->function, name);
@@ -76,7 +76,8 @@ static const char *simple_expression(const loop_plan *plan, const char *text) {
     return is_simple && is_some ? result : NULL;
 }
 
-/* Do the brackets after the first one, which "][" separates, name whole rows of this type? */
+/* Do the brackets after the first pair, separated by "][", name whole rows of this type, as in
+ * "0:3"? */
 static bool are_whole(const char *rest, const ir_type *row) {
     for (; rest; row = row->target) {
         rest += strlen("][");
@@ -94,7 +95,8 @@ static bool are_whole(const char *rest, const ir_type *row) {
     return !row || row->kind != IR_ARRAY; /* else brackets are missing */
 }
 
-/* Sets *it to the array's section in the clause. False: none, or the text does not show it. */
+/* Sets *it to the array's section in the clause. Returns false if there is none, or the text does
+ * not show it. */
 static bool find_section(const loop_plan *plan, const reduction_array *array, array_section *it) {
     const ir_node *base = array->base;
     const openmp_item *item =

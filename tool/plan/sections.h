@@ -7,8 +7,9 @@
 
 #include "plan/plan.h"
 
-/** The section of each array of the loop. NULL: an array has no such clause or no simple section,
- * the loop has locks or no inspector, or the loop or the user needs the sequential order. */
+/** The section of each array of the loop. Returns NULL if an array has no such clause or no simple
+ * section, the loop has locks or no inspector, or the loop or the user needs the sequential
+ * order. */
 const array_section *plan_sections(const loop_plan *plan);
 
 #endif

@@ -6,8 +6,8 @@
 #include "analysis/loop/executed.h"
 #include "ir/ir_syntax.h"
 
-/** Do two sources have the same base, if their rows are recorded, or else the same range? Then the
- * runtime needs only one of them. */
+/** Do two sources have the same base, if their rows are recorded, or otherwise the same range? If
+ * so, the runtime needs only one of them. */
 static bool move_together(const loop_source *left, const loop_source *right) {
     if (left->extent != right->extent)
         return false;

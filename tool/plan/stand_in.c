@@ -53,8 +53,8 @@ static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable
     return !is_named_by_macro(body, variable);
 }
 
-/** A macro may name a variable in a type, for which the tree has no node: `#define LIKE
- *  typeof(h)`. */
+/** Does the body use a macro? A macro may name a variable in a type, for which the tree has no
+ * node: `#define LIKE typeof(h)`. */
 bool has_macro(const loop_plan *plan) {
     const ir_range body = plan->facts->counted.body->range;
     return macro_name_in(plan->arena, plan->unit, plan->unit->source->text + body.begin,

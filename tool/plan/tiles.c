@@ -63,7 +63,8 @@ static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     return false;
 }
 
-/** Is the bound the name of a macro that is the whole text between < and ; of the condition? */
+/** Is the bound a macro's name, and is that name the whole text between < and ; of the
+ * condition? */
 static bool is_named_bound(const pairs *p, const ir_node *node, const ir_node *loop) {
     const ir_node *condition = loop->children[1];
     const source *text = p->plan->unit->source;
@@ -90,8 +91,8 @@ static bool is_editable(const pairs *p, const ir_node *node, const ir_node *loop
            (!(node->flags & IR_FROM_MACRO) || is_named_bound(p, node, loop));
 }
 
-/** Are the first row and the first column equal modulo the step? Otherwise columns lie between
- *  rows. */
+/** Are the first row and the first column equal modulo the step? Otherwise the columns' numbers lie
+ * between the rows' numbers. */
 static bool begin_together(const counted_loop *outer, const counted_loop *inner) {
     int64_t row, column;
     return outer->step == 1 || (outer->lower && expression_constant(outer->lower, &row) &&
@@ -99,8 +100,8 @@ static bool begin_together(const counted_loop *outer, const counted_loop *inner)
                                 column >= 0 && row % outer->step == column % outer->step);
 }
 
-/** The reason why the pairs are no triangle, in which every column is at least its row, or every
- * one at most; NULL: they are. */
+/** The reason why the pairs do not form a triangle, or NULL if they do. In a triangle no column is
+ * less than its row, or no column is greater than its row. */
 static const char *check_header(const pairs *p, tile_plan *tiles) {
     const counted_loop *outer = &p->facts->counted, *inner = &p->span.counted;
     int64_t offset;
@@ -137,7 +138,7 @@ static bool may_leave(const ir_node *node, bool is_inside) {
 }
 
 /** Does the statement write only variables, except in updates and sums of scalars, and contain no
- *  `continue` and no loop other than over constants? */
+ * `continue` and no loop but those with constant bounds? */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
     const reduction_update *update = loop_update_at(p->facts, node);
@@ -197,7 +198,8 @@ static bool is_set_before(const pairs *p, const ir_variable *variable) {
     return false;
 }
 
-/** Adds the variable to those that are kept from tile to tile. False: it cannot be kept. */
+/** Adds the variable to tiles->kept[], whose values are kept from tile to tile. Returns false if it
+ * cannot be kept. */
 static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item) {
     const ir_variable *variable = item->variable;
     enum { MOST_BYTES = 128 };
@@ -222,8 +224,9 @@ static bool may_be_left(const pairs *p, const ir_variable *variable) {
              !is_fresh_in(ir_loop_body(p->span.loop), variable)));
 }
 
-/** Lists the iteration's variables in which inner iterations leave values. Variables declared in
- * the inner loop are new in each of its iterations. False: one cannot be kept. */
+/** Lists in tiles->kept[] the iteration's variables in which inner iterations leave values.
+ * Variables declared in the inner loop are new in each of its iterations. Returns false if one
+ * cannot be kept. */
 static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
     for (unsigned i = 0; i < variables->private_count; i++) {
@@ -259,7 +262,7 @@ static bool sums_are_in_order(const pairs *p) {
 
 /* ---- elements -------------------------------------------------------------------------------- */
 
-/** The addresses by_row * row + by_column * column + [low, high). */
+/** The bytes at addresses by_row * row + by_column * column + [low, high). */
 typedef struct element {
     int64_t by_row, by_column, low, high;
 } element;
@@ -278,8 +281,8 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Adds the result of an operator to the address. Its type must have 64 bits, so that it wraps
- * around as addresses do, or must never wrap around. */
+/** Adds the result of an operator to the address. The result's type must have 64 bits, so that it
+ * wraps around as addresses do, or must never wrap around. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
     if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))

@@ -19,9 +19,9 @@
  * bytes of elements i and j only, and j >= i. It reads nothing else that the loop writes: no array
  * (the overlap guard), and no variable of an earlier pair (fresh.h). So it suffices that pairs that
  * share an element e keep their order. Pairs that update e are (r, e) with r <= e, and (e, c) with
- * c >= e; the loop executes the former by ascending r, and then the latter by ascending c. Of two
- * of these pairs, the earlier one has neither a greater row nor a greater column. So it is in the
- * same tile, where rows and columns keep their order, or in a preceding tile. If columns are below
+ * c >= e; the loop executes the former by ascending r, and then the latter by ascending c. The
+ * earlier of two such pairs has neither a greater row nor a greater column. So it is in the same
+ * tile, where rows and columns keep their order, or in a preceding tile. If columns are below
  * their rows, j <= i, pairs (e, c) come first, by ascending c, and then (r, e) by ascending r;
  * again neither row nor column ever decreases.
  *
@@ -49,11 +49,12 @@ enum { TILES_MOST_KEPT = 16 };
 /** A variable that is kept from tile to tile of a row. */
 typedef struct kept_value {
     const ir_variable *variable;
-    bool is_unset; /* it has no value before the loop over columns */
+    bool is_unset; /* the variable has no value before the loop over columns */
 } kept_value;
 
 typedef struct tile_plan {
-    const char *declined;         /* why there are no tiles; NULL: there are */
+    const char *declined;         /* the reason why there are no tiles, or NULL if there are
+                                   * tiles */
     const ir_node *inner;         /* the loop over columns: the body, or a statement in it */
     const ir_variable *column;    /* its counter */
     const ir_node *lower, *bound; /* first value and bound in its header */
@@ -63,7 +64,7 @@ typedef struct tile_plan {
     kept_value kept[TILES_MOST_KEPT];
 } tile_plan;
 
-/** Sets tiles. */
+/** Sets plan->tiles. */
 void plan_tiles(loop_plan *plan);
 
 /** Is the statement before the loop over columns, so that only the first tile of a row executes its
@@ -72,7 +73,7 @@ static inline bool tiles_begin_with(const tile_plan *tiles, const ir_node *state
     return statement->id < tiles->inner->id;
 }
 
-/** The plan's tiles; NULL: none. */
+/** The plan's tiles, or NULL if there are none. */
 static inline const tile_plan *tiles_of(const loop_plan *plan) {
     return plan->tiles && !plan->tiles->declined ? plan->tiles : NULL;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Short loops inside a body, which the compiler should unroll (REDCC_UNROLLED): gcc does not at
- * -O2. Subscripts and signs that follow from their counters then become constants, and elements of
- * arrays of vectors stay in registers. With the pragma, the assembly of a cloth's forces by lanes
- * took two thirds of the time that it took without, at -O2 (script/bench lanes).
+ * Short loops inside a body, which the compiler should unroll (REDCC_UNROLLED), since gcc does not
+ * do so at -O2. Subscripts and signs that follow from their counters then become constants, and
+ * elements of arrays of vectors stay in registers. At -O2 the pragma reduced the time to assemble a
+ * cloth's forces, with lanes, by a third (script/bench lanes).
  */
 #include "plan/unroll.h"
 
@@ -16,14 +16,14 @@
 
 enum {
     MOST_ITERATIONS = 16, /* as in REDCC_UNROLLED of redcc/loop.h */
-    /* numbers of IR nodes, after unrolling: */
+    /* numbers of nodes of the tree (IR), after unrolling: */
     MOST_COMPUTED = 12000,   /* a triangle's force derivatives, 9 blocks of 3 x 3, have 11,700 */
     MOST_LANE_UPDATES = 600, /* one such block; more is slow to compile, and hardly faster */
     MOST_BODY = 300          /* such a body is compiled twice: with owner checks and without */
 };
 
-/** The maximum number of a loop's iterations, from its text and that of the loops around it; 0:
- *  unknown, or more than MOST_ITERATIONS. */
+/** The maximum number of a loop's iterations, from its text and that of the loops around it, or 0
+ * if it is unknown or exceeds MOST_ITERATIONS. */
 static int64_t few_iterations(const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last, other;

@@ -5,14 +5,15 @@
 
 #include "plan/plan.h"
 
-/** Should the compiler unroll the `for`: in vector code; around updates in vector code; in the body
- * for one iteration? The size of the result decides. */
+/** Should the compiler unroll the `for`? is_unrolled_computation decides for vector code,
+ * is_unrolled_lane_update for loops around updates in vector code, is_unrolled_in_body for the body
+ * of one iteration. The size of the unrolled code decides. */
 bool is_unrolled_computation(const ir_node *loop);
 bool is_unrolled_lane_update(const ir_node *loop);
 bool is_unrolled_in_body(const ir_node *loop);
 
-/** May a pragma be inserted before the `for`? Not if a macro makes it, or if a pragma, attribute or
- * label precedes it. */
+/** May a pragma be inserted before the `for`? Not if the `for` is part of a macro's expansion, or
+ * if a pragma, attribute or label precedes it. */
 bool takes_pragma(const loop_plan *plan, const ir_node *node);
 
 #endif

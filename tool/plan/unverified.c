@@ -80,8 +80,8 @@ bool may_hold_address(const ir_type *type) {
 }
 
 /** May a read of this type in a called function read an unverified source? The caller's sources
- *  include all reads of the callee that may overlap an update. With is_typed their types are
- *  compared; without, any may. */
+ * include all reads of the callee that may overlap an update. With is_typed their types are
+ * compared; otherwise any read may. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
@@ -214,9 +214,9 @@ bool unverified_condition(const unverified_reads *s, const ir_node *node) {
     }
 }
 
-/** How it is decided whether a node is executed. */
+/** The conditions that decide whether a node is executed. */
 typedef struct decision {
-    bool is_unverified;    /* by an unverified condition */
+    bool is_unverified;    /* one of them is unverified */
     const ir_node *branch; /* if only `if` statements have unverified conditions: the branch of the
                             * innermost one; else NULL */
 } decision;
@@ -257,7 +257,7 @@ static void propagate_to_fixed_point(unverified_reads *s, const ir_node *body) {
     } while (s->changed);
 }
 
-/* ---- of an iteration, of a called function --------------------------------------------------- */
+/* ---- an iteration, a called function --------------------------------------------------------- */
 
 bool *guarded_sources(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;

@@ -17,21 +17,22 @@
 
 typedef struct unverified_reads {
     const loop_plan *plan;
-    const bool *is_suspect; /* by source: its contents may be unverified */
-    bool *is_unverified;    /* by variable: it may hold an unverified value */
+    const bool *is_suspect; /* per facts->sources[i]: its contents may be unverified */
+    bool *is_unverified;    /* indexed by variable: it may hold an unverified value */
     bool changed;           /* this pass has marked a variable */
-    bool is_harmful;        /* the result */
+    bool is_harmful;        /* result of unverified_check (unverified_uses.h) */
     bool in_callee;         /* the body of a called function is being checked */
-    bool is_typed;          /* in_callee: only memory of the sources' types is unverified,
-                             * not all memory */
+    bool is_typed;          /* if in_callee: only memory of the sources' types is unverified, not
+                             * all memory */
     bool in_slice;          /* the slice is being checked: all its reads are sources */
     bool may_have_left;     /* under an unverified condition, a preceding jump may have left
                              * the iteration */
-    unsigned depth;         /* of calls */
+    unsigned depth;         /* nesting depth of calls */
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
 } unverified_reads;
 
-/** By source: may it overlap the loop's writes, according to the analysis? */
+/** For each source: may it overlap the loop's writes, according to the analysis? Indexed as
+ * facts->sources. */
 bool *guarded_sources(const loop_plan *plan);
 
 /** Is any source marked? */
@@ -41,13 +42,14 @@ bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect);
  *  sources are unverified. `in_slice`: only the slice is evaluated. */
 unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice);
 
-/** The same for the body of the function that the call names. Memory is unverified there
- * (is_typed), and so are parameters with unverified arguments, except for pointers. The call has an
- * argument for each parameter. */
+/** Like unverified_begin, for the body of the function that the call names. Memory is unverified
+ * there (is_typed), and so are parameters with unverified arguments, except for pointers. The call
+ * has an argument for each parameter. */
 unverified_reads unverified_begin_callee(const unverified_reads *s, const ir_node *call);
 
-/** Does the value of an expression, or that of a part of it, depend on unverified values? Do they
- *  decide which parts of a statement are executed? */
+/** unverified_value: does the value of the expression depend on unverified values? unverified_part:
+ * does the value of one of its parts? unverified_condition: do unverified values decide which parts
+ * of the statement are executed? */
 bool unverified_value(const unverified_reads *s, const ir_node *node);
 bool unverified_part(const unverified_reads *s, const ir_node *node);
 bool unverified_condition(const unverified_reads *s, const ir_node *node);

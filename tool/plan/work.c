@@ -7,9 +7,9 @@
 #include "plan/lookup.h"
 
 enum {
-    EXPENSIVE = 8,    /* a floating-point division, or a call with a floating result */
-    UNKNOWN_TRIP = 4, /* iterations of an inner loop with an unknown trip count */
-    MOST_DEPTH = 8,   /* of calls */
+    EXPENSIVE = 8,    /* cost of a floating-point division, or of a call with a floating result */
+    UNKNOWN_TRIP = 4, /* assumed iterations of an inner loop with an unknown trip count */
+    MOST_DEPTH = 8,   /* nesting depth of calls */
     MOST_WORK = 10000 /* counting stops here */
 };
 
@@ -34,7 +34,7 @@ static int64_t own_work(const ir_node *node) {
     return node->op == IR_OP_DIVIDE ? EXPENSIVE : 1;
 }
 
-/** The cost of functions, by id and depth of the call; -1: not computed yet. */
+/** The cost of functions, by id and depth of the call, or -1 if it is not computed yet. */
 typedef struct known_work {
     int64_t (*of)[MOST_DEPTH + 1];
 } known_work;
@@ -103,7 +103,7 @@ int64_t work_outside_updates(const loop_plan *plan, const ir_node *statement) {
     if (ir_is_expression(statement) || statement->kind == IR_EXPRESSION ||
         statement->kind == IR_DECLARATION)
         return size_of(statement, 0);
-    /* unrolling removes the header of a loop over constants, so only its body counts */
+    /* unrolling removes the header of a loop with constant bounds, so only its body counts */
     for (unsigned i = ir_is_loop(statement) && trip ? 3 : 0; i < statement->child_count; i++)
         size += work_outside_updates(plan, statement->children[i]);
     return size * (trip ? trip : UNKNOWN_TRIP);

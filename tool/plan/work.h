@@ -22,8 +22,8 @@ int64_t work_of_statement(const loop_plan *plan, const ir_node *statement);
  *  including called functions. */
 int64_t work_outside_updates(const loop_plan *plan, const ir_node *statement);
 
-/** The trip count of a loop over constants: 3 for `for (c = 0; c < 3; c++)`. 0: unknown, or above
- *  10000. */
+/** The trip count of a loop with constant bounds: 3 for `for (c = 0; c < 3; c++)`. Returns 0 if it
+ * is unknown or above 10000. */
 int64_t work_constant_trip(const ir_node *loop);
 
 #endif

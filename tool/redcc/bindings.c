@@ -19,8 +19,8 @@ int written_loop_at(const emit_result *written, uint32_t offset) {
     return -1;
 }
 
-/** The origin of the word or copy that contains this byte of the loop's text; NULL: the byte is the
- *  translator's own. */
+/** The origin of the word or copy that contains this byte of the loop's text, or NULL if the byte
+ * is the translator's own. */
 static const origin *origin_at(const written_loop *loop, uint32_t at) {
     unsigned low = 0, high = loop->origins.items.count;
     while (low < high) {
@@ -47,8 +47,8 @@ static uint32_t place_before(const emit_result *written, uint32_t offset) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** Is the declaration named? libclang names others by a text with their position, in
- *  parentheses. */
+/** Does the declaration have a name? libclang names a nameless one by a text with its position, in
+ * parentheses. */
 static bool has_name(const ir_declared *declared) {
     return declared->name[0] && !strchr(declared->name, '(');
 }
@@ -100,7 +100,7 @@ static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
     return unit->references + low;
 }
 
-/** Does the name, which is in a copy of byte `offset` of the program, have the same meaning there?
+/** The name is in a copy of the program's text from `offset`. Does it have the same meaning there?
  * All names to which a macro expands have one offset. */
 static bool is_as_before(const comparison *c, const ir_reference *reference, uint32_t offset) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -120,8 +120,8 @@ static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
-/** Is it a name of the runtime or the compiler? Programs that use one of the runtime's for
- * something else are not translated (taken_name of plan/macros.h). */
+/** Is the name one of the runtime's or the compiler's? A program that uses one of the runtime's
+ * names for something else is not translated (taken_name of plan/macros.h). */
 static bool is_own_name(const char *name) {
     return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
            starts_with(name, "__builtin_") || starts_with(name, "__atomic_");
@@ -167,7 +167,7 @@ static const char *wrong_reference(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
-/** A name of the loop's text that the compiler's tree does not contain; NULL: none. */
+/** A name of the loop's text that is missing from the compiler's tree, or NULL if there is none. */
 static const char *unseen_name(const comparison *c, const ir_unit *after,
                                const written_loop *loop) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -198,7 +198,7 @@ static const ir_typed_place *typed_place_at(const ir_unit *unit, uint32_t offset
     return unit->typed_places + low;
 }
 
-/** Are the types, of two parses of the program, the same? */
+/** Are types of two different parses of the program the same? */
 static bool is_same_type(const ir_type *a, const ir_type *b) {
     while (a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY) &&
            a->count == b->count)
@@ -221,7 +221,7 @@ static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) 
 }
 
 /** The type of an expression in the loop's text that has another type than the original, or is
- * missing from the tree; NULL: none. */
+ * missing from the tree, or NULL if there is none. */
 static const char *wrong_type(const ir_unit *after, const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
         const origin *o = &loop->origins.items.items[i];

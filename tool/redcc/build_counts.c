@@ -23,7 +23,8 @@ typedef struct loop_in_header {
     reason_id why;  /* REASON_NONE: it is transformed */
 } loop_in_header;
 
-/* The result of one command; if several files were left alone, the reason for the last one. */
+/* The result of one command. If several files were compiled unchanged, `why` is the reason for the
+ * last one. */
 typedef struct command_outcome {
     unsigned files, left, transformed, refused[REASON_COUNT];
     char why[256];
@@ -40,7 +41,7 @@ typedef struct counting {
     map *in_headers; /* loops of headers that were counted, by their place */
 } counting;
 
-/* redcc-cc, in an installed tree or a build tree; NULL: missing. */
+/* The path of redcc-cc in an installed tree or a build tree, or NULL if it is missing. */
 static const char *find_wrapper(arena *a) {
     const installation found = installation_find(a);
     if (!found.self)
@@ -156,7 +157,8 @@ static void report_command(unsigned number, void *result, void *context) {
     if (file < 0)
         return;
     setenv("REDCC_BUILD_REPORT", path, 1);
-    unsetenv("REDCC_STRICT"); /* with it, the first file that is left alone would end the command */
+    unsetenv("REDCC_STRICT"); /* with it, the first file that is compiled unchanged would end the
+                               * command */
     unsetenv("REDCC_DISABLE");
     unsetenv("REDCC_KEEP");
     set_options(c->memory, c->options);
@@ -171,7 +173,8 @@ static void report_command(unsigned number, void *result, void *context) {
 /* ---- all of them ---------------------------------------------------------------------------- */
 
 static void add_left(counting *c, const command_outcome *outcome) {
-    /* an error in the source, for which each file has another message */
+    /* the message of an error in a source differs from file to file, so these errors are counted
+     * together */
     const char *why =
         strncmp(outcome->why, "redcc: ", 7) == 0 ? "redcc cannot read it" : outcome->why;
     build_counts *counts = c->counts;

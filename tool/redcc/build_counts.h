@@ -6,7 +6,7 @@
 #include "analysis/base/reason.h"
 #include "redcc/options.h"
 
-/** The number of files that are compiled as they are for one reason. */
+/** The number of files that are compiled unchanged for the same reason. */
 typedef struct left_alone {
     const char *why;
     unsigned files;

@@ -9,7 +9,7 @@
 #include "driver/words.h"
 #include "support/compiler_options.h"
 
-/** The path, which is relative to `folder`. */
+/** The path, joined to `folder` unless it is absolute. */
 static const char *joined(arena *a, const char *folder, const char *path) {
     return path[0] == '/' ? path : arena_format(a, "%s/%s", folder, path);
 }
@@ -63,7 +63,7 @@ static void add_option(arena *a, const word_list *words, unsigned *i, const char
         const size_t length = strlen(known->name);
         word = arena_format(a, "%s%s", known->name, joined(a, directory, word + length));
     }
-    if (meaning & OPTION_LIBERTY) { /* redcc-cc compiles translated text without it */
+    if (meaning & OPTION_LIBERTY) { /* redcc-cc compiles translated text without such options */
         for (const char *const *rest = option_without_liberty(word); *rest; rest++)
             VECTOR_PUSH(a, flags, *rest);
         return;
@@ -93,7 +93,7 @@ static bool is_entry_of(arena *a, const json_t *entry, const char *input, const 
     return file && same_file(joined(a, *directory, file), input);
 }
 
-/** The database; NULL, with a message in *wrong, if it cannot be read. */
+/** The database, or NULL, with a message in *wrong, if it cannot be read. */
 static json_t *load(arena *a, const char *path, const char **wrong) {
     json_error_t error;
     json_t *root = json_load_file(path, 0, &error);

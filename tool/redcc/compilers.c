@@ -7,12 +7,12 @@
 #include "frontend/predefined.h"
 #include "ir/ir_text.h"
 
-/* The flags by which clang's parser has gcc's predefined macros. */
+/* The flags that give clang's parser gcc's predefined macros. */
 #define AS_GCC                                                                                     \
     "-fgnuc-version=" REDCC_GCC_VERSION, FLAGS_WITHOUT_CLANG, FLAGS_WITHOUT_FEATURES,              \
         FLAGS_OF_GCC_TYPES
 
-/* gcc's answers to these tests are not known: the tree must be the same without any. */
+/* gcc's answers to these tests are unknown, so the tree must be the same if all answers are 0. */
 #define WITHOUT_ANSWERS "-D__has_builtin(x)=0", "-D__has_attribute(x)=0", "-D__has_c_attribute(x)=0"
 
 /* Removes attributes that do not affect the analysis. */
@@ -29,8 +29,8 @@ static void drop_attributes(char *text) {
     *to = 0;
 }
 
-/** The unit without marks of skipped branches: that branches differ is harmless if the declarations
- * in them, which are compared, do not. */
+/** The unit without marks of skipped branches. Different branches are harmless if the declarations
+ * in them, which are compared, are equal. */
 static ir_unit without_branches(arena *a, const ir_unit *unit) {
     ir_unit shown = *unit;
     shown.directives = ARENA_ARRAY(a, ir_directive, unit->directive_count + 1);

@@ -9,7 +9,8 @@
 #include "redcc/nearest.h"
 #include "support/buffer.h"
 
-/* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
+/* The text of docs/reasons.md: it has a section "## ID slug" for each reason, and "# ..." between
+ * groups of them. */
 extern const char reasons_text[];
 
 static const struct {
@@ -52,7 +53,7 @@ const char *explain_link(arena *a, const char *reason) {
     return NULL;
 }
 
-/* At most one line of reasons whose slugs contain the word; "": there are none. */
+/* At most one line of reasons whose slugs contain the word, or "" if there are none. */
 static const char *reasons_with(arena *a, const char *word) {
     enum { SHORTEST = 3, MOST = 6 };
     const char *list = "";

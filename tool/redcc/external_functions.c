@@ -51,7 +51,8 @@ typedef struct call_search {
     const external_functions *all;
     const analysis_options *options;
     bool *is_visited; /* [function_count] */
-    ir_range place;   /* the call in the loop, which may reach the function through others */
+    ir_range place;   /* the call in the loop that leads to the function, perhaps through other
+                       * functions */
     VECTOR(external_call) found;
 } call_search;
 

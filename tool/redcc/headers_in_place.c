@@ -62,7 +62,7 @@ static bool directive_fits(arena *a, const ir_directive *directive, bool is_besi
     return false;
 }
 
-/* Does the text before `end` end with a declaration? The name of a macro there might otherwise find
+/* Does the text before `end` end with a declaration? Otherwise a macro's name at its end might find
  * its arguments after the directive. */
 static bool ends_with_declaration(const char *text, uint32_t end, const ir_directive *directives,
                                   unsigned count) {
@@ -104,7 +104,8 @@ static bool text_fits(arena *a, const source *header, const source *around) {
 
 /* ---- the directive ------------------------------------------------------------------------- */
 
-/* `#include "x.h"` on a line, with nothing after it. */
+/* Finds `#include "x.h"`, with nothing after it, on the line around `offset`. Sets *found to its
+ * range. */
 static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found) {
     const source *s = unit->source;
     uint32_t begin = offset, end = offset;
@@ -127,8 +128,8 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
     return true;
 }
 
-/* Does the file, or a header, use the depth of inclusion? In place of its directive a header's text
- * has a depth that is less by one. */
+/* Does the file or a header use __INCLUDE_LEVEL__? A header's text that replaces its #include
+ * directive has a level that is lower by one. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
     bool is_found = strstr(unit->source->text, word) != NULL;
@@ -140,7 +141,8 @@ static bool names_level(arena *a, const ir_unit *unit) {
     return is_found;
 }
 
-/* The only directive in the main file that includes the header; NULL: there are more, or none. */
+/* The only directive in the main file that includes the header, or NULL if there are more, or
+ * none. */
 static const ir_inclusion *only_inclusion(const ir_unit *unit, const char *header) {
     const ir_inclusion *only = NULL;
     for (unsigned i = 0; i < unit->text.inclusion_count; i++) {
@@ -193,7 +195,7 @@ header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_resul
     return found.count > 0 && names_level(a, unit) ? (header_uses){0} : found;
 }
 
-/* The text, with an empty line for each `#pragma once`. */
+/* Appends the header's text, with an empty line for each `#pragma once`. */
 static void add_text(arena *a, buffer *out, const source *header) {
     unsigned count;
     const ir_directive *directives = directives_in(a, header->text, header->length, &count);

@@ -17,7 +17,8 @@ typedef struct header_use {
 typedef VECTOR(header_use) header_uses;
 
 /** The headers with refused loops (R518) whose text may replace their directives, in the source's
- * order: included once in all, directly, and with a text that means the same there. */
+ * order. Such a header is included only once, by the source itself, and its text means the same in
+ * the source. */
 header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
 
 /** The source of `unit` with the text of these headers in place of their directives. #line
@@ -25,8 +26,9 @@ header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_resul
 const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses *headers,
                                bool as_clang);
 
-/** Does a loop of the header run in parallel? `unit` is of a source with headers in it;
- * `obstacles`: for each verdict, without a message if it could be written; NULL: all could. */
+/** Does a loop of the header run in parallel? `unit` is a source with headers in place. `obstacles`
+ * has, for each verdict, the reason why its loop could not be written, without a message if it
+ * could; it may be NULL if all loops could be written. */
 bool header_is_used(const ir_unit *unit, const analysis_result *analysed, const reason *obstacles,
                     const char *header);
 

@@ -14,11 +14,11 @@ enum { MOST_FILES = 12 };
 
 typedef struct wanted {
     arena *memory;
-    bool *is_visited; /* by function */
+    bool *is_visited; /* indexed by function */
     string_list names;
     string_list
         headers;    /* for each name, the header that declares it; NULL: the file itself does */
-    unsigned loops; /* the number of loops around the node */
+    unsigned loops; /* number of loops around the current node */
 } wanted;
 
 static void find_wanted(wanted *w, ir_node *node);
@@ -110,7 +110,7 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
 
 typedef struct calls {
     arena *memory;
-    bool *is_noted; /* by function */
+    bool *is_noted; /* indexed by function */
     VECTOR(const ir_function *) direct;
 } calls;
 
@@ -128,7 +128,7 @@ static bool note_call(ir_node *node, void *context) {
 }
 
 /* Notes the calls of the functions that contain translated loops. Facts about a loop's variables
- * come from its whole function and from the functions which that calls, and from no others. */
+ * come only from the function around the loop and from that function's callees. */
 static void note_calls_of_loops(calls *c, const analysis_result *analysed) {
     for (unsigned i = 0; i < analysed->verdict_count; i++)
         if (analysed->verdicts[i].kind == VERDICT_TRANSFORM)

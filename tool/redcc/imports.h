@@ -19,8 +19,8 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
 /**
  * The text to append to the file: `static const redcc_linkage *redcc__linked(void)`. With it the
  * runtime compares the definitions that are linked with those that were parsed, for all functions
- * on which translated loops depend. NULL: they depend on no function of another file. Sets
- * *obstacle if the text cannot be compiled.
+ * on which translated loops depend. Returns NULL if they depend on no function of another file.
+ * Sets *obstacle if the text cannot be compiled.
  */
 const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *analysed,
                           const char **obstacle);

@@ -169,7 +169,7 @@ static int find_word(const char *const *words, size_t count, const char *word) {
     return -1;
 }
 
-/** "a, b or c" */
+/** The words as "a, b or c". */
 static const char *list_words(arena *a, const char *const *words, size_t count) {
     const char *list = words[0];
     for (size_t i = 1; i < count; i++)
@@ -411,7 +411,7 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
     return NULL;
 }
 
-/** The first input with a C++ file name; NULL: there is none. */
+/** The first input with a C++ file name, or NULL if there is none. */
 static const char *cxx_input(const options *o) {
     static const char *const endings[] = {".C", ".cc", ".cpp", ".cxx", ".c++"};
     for (unsigned i = 0; i < o->inputs.count; i++) {

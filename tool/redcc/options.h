@@ -15,7 +15,7 @@ typedef struct report_options {
     bool form_is_given;
     bool all;                /* --all */
     const char *file;        /* NULL: standard output, or standard error for text */
-    const char *inputs_file; /* --inputs-file; NULL: none */
+    const char *inputs_file; /* --inputs-file, or NULL */
 } report_options;
 
 /** --order */
@@ -35,7 +35,7 @@ typedef struct options {
     string_list flags;           /* for the parser, in order */
     string_list pure;            /* --pure */
     report_options report;
-    const char *explain; /* --explain: this reason; NULL: none */
+    const char *explain; /* --explain: this reason, or NULL */
     order_option order;
     lanes_wish lanes;
     compiler_option compiler;
@@ -50,7 +50,7 @@ const char *options_read(arena *a, int argc, char **argv, options *result);
 
 /** The text of --help. */
 extern const char options_help[];
-/** "serial", "fixed", "any". */
+/** The word for the order: "serial", "fixed" or "any". */
 const char *options_order_word(result_order order);
 
 #endif

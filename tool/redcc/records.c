@@ -25,7 +25,7 @@ typedef struct recorder {
 
 typedef struct callees {
     arena *memory;
-    bool *is_noted; /* by function */
+    bool *is_noted; /* indexed by function */
     const ir_unit *unit;
     VECTOR(const ir_function *) found;
     bool has_directive; /* a static function that the definition calls has an OpenMP directive */
@@ -51,8 +51,8 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* Does the function have no record, so that the program may lack it? It is an inline definition, or
- * no known source defines it: then the compiler may remove all its calls. */
+/* Is the function without a record? It is if it is an inline definition, or if no known source
+ * defines it. Then the program may lack it, because the compiler may remove all its calls. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)
                    : !project_definer(r->around, f->name, NULL);

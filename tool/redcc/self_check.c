@@ -80,7 +80,7 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
     return true;
 }
 
-/* The folder that flag *i adds to the search path of headers; NULL: it is another flag. */
+/* The folder that flag *i adds to the search path of headers, or NULL if it is another flag. */
 static const char *header_folder(const string_list *flags, unsigned *i) {
     static const char *const names[] = {"-I", "-isystem"};
     const char *flag = flags->items[*i];

@@ -116,8 +116,8 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
                     o->pure.items[i], where);
 }
 
-/** Refuses all loops of a file that may be another program for the build's compiler than the one
- * that clang's parser read. */
+/** Refuses all loops of the file if the build's compiler may see another program than clang's
+ * parser, which redcc uses. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
                                          const ir_unit *unit, bool knows_compiler,
                                          analysis_result analysed) {
@@ -251,9 +251,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
 }
 
 /**
- * Writes the analysed file, and checks it. If loops have a wrong text, writes it again: these
- * without lanes, or unchanged if they had none. If only a report is wanted, there is no check,
- * because parsing the output costs as much as parsing the input.
+ * Writes the analysed file, and checks it. If the text of a loop is wrong, writes the file again:
+ * that loop without lanes or, if it had none, unchanged. If only a report is wanted, there is no
+ * check, because parsing the output costs as much as parsing the input.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
@@ -334,13 +334,14 @@ static header_uses used_headers(arena *a, const analysed_file *file, const reaso
 }
 
 /** May headers be put in place? The output then contains them, and does not follow their changes.
- * So only for a report, or for redcc-cc, which translates again when a header changes. */
+ * So this is done only for a report, or for redcc-cc, which translates again when a header
+ * changes. */
 static bool may_have_headers(const options *o) {
     return !o->output || o->compiler != COMPILER_ANY;
 }
 
-/** The file with those headers in place that have a loop which can run in parallel; without any,
- * the file itself. */
+/** The file with headers in place of their #include directives: those with a loop that can run in
+ * parallel. If there are none, the file itself. */
 static analysed_file with_headers(const analysing *by, analysed_file *file) {
     arena *a = by->memory;
     header_uses headers = headers_that_fit(a, file->unit, &file->analysed);

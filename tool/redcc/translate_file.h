@@ -9,7 +9,7 @@
 
 typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_status;
 
-/** Plain numbers, so that one process can pass them to another. */
+/** The result for one file: plain numbers, so that one process can pass them to another. */
 typedef struct file_outcome {
     file_status status;
     unsigned transformed;            /* the number of transformed loops */
@@ -20,8 +20,8 @@ typedef struct file_outcome {
 } file_outcome;
 
 /** Parses, analyses, writes and reports, as the options say; messages go to standard error. Path
- * "-" is standard input. `external`: facts about other files' functions, only for a report; NULL:
- * none. */
+ * "-" is standard input. `external`: facts about other files' functions, only for a report, or
+ * NULL. */
 file_outcome translate_file(arena *a, const options *o, const char *path,
                             const external_functions *external);
 

@@ -6,7 +6,7 @@
 #include "emit/emit.h"
 #include "frontend/directives.h"
 
-/** Do the lines begin here, with either kind of line ends? */
+/** Do the first lines of a written file begin at `at`, with either kind of line ends? */
 static bool is_beginning(const char *at) {
     for (const char *expected = REDCC_BEGINNING REDCC_REQUIREMENT; *expected; expected++) {
         if (*expected == '\n' && *at == '\r')

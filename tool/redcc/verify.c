@@ -79,7 +79,7 @@ static long threads_to_use(void) {
     return threads < 2 ? 2 : threads;
 }
 
-/* Runs the program. REDCC_VALIDATE (docs/report.md) makes the parallel one execute each loop in
+/* Runs the program. REDCC_VALIDATE (docs/report.md) makes the parallel program execute each loop in
  * parallel from the first call on, and report that: by default it would begin with the original
  * loop. */
 static void execute(const workplace *w, program *p, bool is_parallel) {

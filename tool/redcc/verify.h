@@ -9,7 +9,7 @@
 /**
  * Builds `input` without OpenMP and the output with it, runs both without arguments or standard
  * input, and compares standard output and exit status. The input must be a whole program. The
- * parallel one runs under REDCC_VALIDATE=1: all loops that can run in parallel do so, whatever
+ * parallel program runs under REDCC_VALIDATE=1: all loops that can run in parallel do so, whatever
  * their size, and each reports its result on standard error. Returns NULL if they agree, or a
  * message in the arena.
  */

@@ -105,7 +105,8 @@ static void count_file(unsigned number, const void *result, int ended_by, void *
     p->unknown_pure &= outcome->unknown_pure;
 }
 
-/* ---- both ----------------------------------------------------------------------------------- */
+/* ---- both rounds ------------------------------------------------------------------------------
+ */
 
 static void show_progress(unsigned finished, void *context) {
     const whole_program *p = context;

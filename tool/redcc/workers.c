@@ -14,7 +14,7 @@
 
 typedef struct piece {
     pid_t process; /* 0: not started, or ended */
-    int status;    /* as wait gives it */
+    int status;    /* status as reported by wait() */
     bool is_ended;
     FILE *output, *errors; /* the process's output, if it is kept */
 } piece;

@@ -14,9 +14,9 @@ typedef struct workers {
     size_t result_size; /* bytes of a result, without pointers */
     bool keeps_output; /* the output of a piece is kept until it can be shown as a whole, after that
                         * of the pieces before it */
-    /** May be NULL; otherwise output is kept. Called in the caller's process, in order, before
-     * `done`, with the standard output of a piece, which is then not shown. `output` is at its
-     * beginning, and is closed afterwards. Not with at_once 0. */
+    /** Takes the standard output of a piece, which is then not shown. May be NULL; otherwise output
+     * is kept. Called in the caller's process, in order, before `done`. `output` is at its
+     * beginning, and is closed afterwards. Not called with at_once 0. */
     void (*take)(unsigned number, FILE *output, void *context);
     /** Called in a separate process: does the piece of work and fills in *result, which is zero
      *  before. */
@@ -24,7 +24,8 @@ typedef struct workers {
     /** Called in the caller's process, in the order of the pieces. `ended_by`: 0; or the signal
      * that ended the process; or -1 if it failed otherwise. */
     void (*done)(unsigned number, const void *result, int ended_by, void *context);
-    /** May be NULL. Called in the caller's process, as pieces end, in any order. */
+    /** Reports the number of finished pieces; may be NULL. Called in the caller's process, as
+     * pieces end, in any order. */
     void (*progress)(unsigned finished, void *context);
     void *context;
 } workers;

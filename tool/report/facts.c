@@ -70,7 +70,7 @@ static const char *scalar_list(arena *a, const fixed_blocks *blocks) {
     return buffer_take(a, &out);
 }
 
-/* Words on what the loop updates under a lock; "": there is no lock. */
+/* A phrase about what the loop updates under a lock, or "" if there is no lock. */
 static const char *lock_words(arena *a, const fixed_blocks *blocks) {
     return blocks->lock
                ? arena_format(a, "; what '%s' protects is updated in any order", blocks->lock)

@@ -9,22 +9,23 @@
 
 typedef VECTOR(const char *) text_list;
 
-/** "transformed", "refused", "not-a-reduction" */
+/** The verdict as a word: "transformed", "refused" or "not-a-reduction". */
 const char *verdict_word(const loop_verdict *verdict);
 const char *element_word(const reduction_array *array);
-/** "no-overlap(h, w)", once for each pair that is checked at run time. */
+/** The guards of the loop: the pairs of objects that are checked at run time, as "no-overlap(h,
+ * w)", each once. */
 text_list verdict_guards(arena *a, const loop_verdict *verdict);
 /** One line: "loop in 'kernel' runs in parallel: h (+ double)". */
 const char *verdict_sentence(arena *a, const loop_verdict *verdict);
 
-/** The offset of the loop's keyword; if the file does not contain it, of the text around it. */
+/** The offset of the loop's keyword or, if the file does not contain it, of the text around it. */
 uint32_t verdict_offset(const loop_verdict *verdict);
-/** The position of the loop's keyword; and that of the reason for a refusal, which is the loop's if
- * the reason has none. */
+/** verdict_position is the position of the loop's keyword. reason_position is that of the reason
+ * for a refusal or, if the reason has none, the loop's. */
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict);
 ir_position reason_position(const report_input *input, const loop_verdict *verdict);
 
-/** The remark on a transformed loop's form for several iterations at once; NULL: none was
+/** The remark on a transformed loop's form for several iterations at once, or NULL if none was
  * requested. */
 const lanes_remark *verdict_lanes(const report_input *input, const loop_verdict *verdict);
 /** The position of the reason why the loop has no such form. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The JSON report: docs/report.md has its fields. */
+/** The JSON report. docs/report.md describes its fields. */
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Four classes: parallel, with a plan that is kept; parallel, with a plan for each execution;
- * parallel without a plan; translated, but executed sequentially. */
+/* Translated loops are in four classes: parallel, with a plan that is kept; parallel, with a plan
+ * for each execution; parallel without a plan; executed sequentially. */
 #include "report/plan.h"
 
 #include "analysis/base/expression.h"

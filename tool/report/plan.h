@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The use of plans by a translated loop: one of four classes. */
+/** How a translated loop uses plans (docs/glossary.md): one of four classes. */
 #ifndef REPORT_PLAN_H
 #define REPORT_PLAN_H
 
@@ -10,9 +10,10 @@ typedef struct plan_answer {
                          * execution builds one; "none": in-order binning executes the loop without
                          * one; "never": the loop runs sequentially unless a method is named. NULL:
                          * not translated, or run in fixed blocks */
-    const char *cause;  /* of "remade" and "never"; else NULL */
-    const char *advice; /* a change of the source that would help; NULL: no simple one */
-    ir_range range;     /* of the cause; empty: the loop itself */
+    const char *cause;  /* reason for "remade" and "never"; otherwise NULL */
+    const char *advice; /* a change of the source that would help, or NULL if there is no simple
+                         * one */
+    ir_range range;     /* range of the cause; empty: the loop itself */
 } plan_answer;
 
 plan_answer verdict_plan(arena *a, const loop_verdict *verdict);

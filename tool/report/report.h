@@ -8,7 +8,8 @@
 
 typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML } report_form;
 
-/** The reason why a loop that runs in parallel has no form for several iterations at once. */
+/** The result for a loop that runs in parallel: a form for several iterations at once, or the
+ * reason why it has none. */
 typedef struct lanes_remark {
     bool is_asked;    /* such a form was requested for the loop */
     const char *slug; /* NULL: the loop has such a form */
@@ -19,14 +20,15 @@ typedef struct lanes_remark {
 typedef struct report_input {
     const ir_unit *unit;
     const analysis_result *analysis;
-    const char *version;       /* of redcc */
-    const char *order;         /* as --order takes it */
-    const lanes_remark *lanes; /* of each verdict; NULL: no such form was requested */
+    const char *version;       /* version of redcc */
+    const char *order;         /* value of --order */
+    const lanes_remark *lanes; /* indexed by verdict, or NULL if such a form was requested for no
+                                * loop */
     bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */
     const char *(*explain)(arena *a, const char *reason);
-    /** A URI of that text, in the arena; NULL: none. */
+    /** A URI of that text, in the arena, or NULL if there is none. */
     const char *(*link)(arena *a, const char *reason);
 } report_input;
 

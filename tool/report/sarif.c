@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result a loop. */
+/** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result per loop. */
 #include "analysis/base/reason.h"
 #include "report/facts.h"
 #include "report/plan.h"
@@ -27,7 +27,7 @@ static json_t *location(ir_position at) {
     json_object_set_new(artifact, "uri", uri(at.file));
     json_t *physical = json_object();
     json_object_set_new(physical, "artifactLocation", artifact);
-    if (at.line > 0) { /* regions begin at line 1 (3.30.5), but `#line 0` makes a line 0 */
+    if (at.line > 0) { /* regions begin at line 1 (section 3.30.5), but `#line 0` makes a line 0 */
         json_t *region = json_object();
         json_object_set_new(region, "startLine", json_integer(at.line));
         json_object_set_new(region, "startColumn", json_integer(at.column));
@@ -93,7 +93,7 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     return result;
 }
 
-/* The verdict's message for all loops: dots replace the name in it. */
+/* The verdict's message with dots in place of the name, so that it is the same for all loops. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
         return verdict_is_written(verdict)
@@ -121,7 +121,8 @@ static json_t *rule_object(arena *a, const report_input *input, const loop_verdi
     return rule;
 }
 
-/* Is the loop a result? A loop that runs in parallel needs no review. */
+/* Does the loop become a result in the SARIF file? By default a loop that runs in parallel does
+ * not, since it needs no review. */
 static bool is_reported(const report_input *input, const loop_verdict *verdict) {
     return input->all || !verdict_is_written(verdict);
 }

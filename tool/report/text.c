@@ -33,7 +33,7 @@ static bool has_place(ir_range range) {
     return range.begin < range.end;
 }
 
-/** Notes for facts that come from other files. */
+/** Appends notes for facts that come from other files. */
 static void by_other_files(arena *a, buffer *out, const report_input *input,
                            const loop_verdict *verdict) {
     for (unsigned i = 0; i < verdict->external_call_count; i++) {
@@ -48,7 +48,7 @@ static void by_other_files(arena *a, buffer *out, const report_input *input,
     }
 }
 
-/** Notes for assertions of the user's pragmas. */
+/** Appends notes for assertions of the user's pragmas. */
 static void by_pragma(arena *a, buffer *out, const report_input *input,
                       const loop_verdict *verdict) {
     for (unsigned i = 0; i < verdict->pragma_count; i++)
@@ -56,7 +56,7 @@ static void by_pragma(arena *a, buffer *out, const report_input *input,
                 arena_format(a, "as you assert: %s", verdict->pragmas[i].text), "");
 }
 
-/** The note why the loop's plan is not kept, or why the loop stays sequential. */
+/** Appends a note that says why the loop's plan is not kept, or why the loop stays sequential. */
 static void say_plan(arena *a, buffer *out, const report_input *input,
                      const loop_verdict *verdict) {
     const plan_answer plan = verdict_plan(a, verdict);
@@ -105,7 +105,7 @@ static void transformed(arena *a, buffer *out, const report_input *input,
     by_pragma(a, out, input, verdict);
 }
 
-/** The remark on a loop in a header, without the source line. */
+/** Appends the remark on a loop in a header, without the source line. */
 static void in_header(arena *a, buffer *out, const ir_position *at, const loop_verdict *verdict) {
     const bool is_refused = verdict->kind == VERDICT_REFUSE;
     buffer_format(out, "%s:%u:%u: remark: %s [-Rredcc-%s%s]\n", at->file, at->line, at->column,

@@ -35,7 +35,7 @@ static void *allocate_or_die(size_t size) {
 
 static block *add_block(arena *a, size_t size) {
     if (size > SIZE_MAX - sizeof(block))
-        size = SIZE_MAX - sizeof(block); /* calloc fails: ends with the message above */
+        size = SIZE_MAX - sizeof(block); /* calloc fails, which ends the program with a message */
     block *b = allocate_or_die(sizeof(block) + size);
     b->size = size;
     b->next = a->blocks;
@@ -43,8 +43,8 @@ static block *add_block(arena *a, size_t size) {
     return b;
 }
 
-/* A large object's block is linked after the one being filled, so that the rest of the latter stays
- * in use. */
+/* Returns a block with room for `size` bytes. A large object's block is linked after the one being
+ * filled, so that the rest of the latter stays in use. */
 static block *block_with_room(arena *a, size_t size) {
     block *filling = a->blocks;
     if (filling != NULL && size <= filling->size - filling->used)

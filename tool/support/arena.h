@@ -8,7 +8,8 @@
 
 typedef struct arena arena;
 
-/** All functions that allocate end the program with a message if memory is exhausted. */
+/** Creates an arena. All functions that allocate end the program with a message if memory is
+ * exhausted. */
 arena *arena_new(void);
 void *arena_allocate(arena *a, size_t size); /* zeroed, aligned for any type */
 void arena_free(arena *a);

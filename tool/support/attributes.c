@@ -30,8 +30,8 @@ static const char *skip_blanks(const char *at, const char *end) {
     return at;
 }
 
-/* The position after an attribute's arguments, such as `(1, 2)` or `("default")`. NULL: they
- * contain more than numbers and quoted words. */
+/* The position after an attribute's arguments, such as `(1, 2)` or `("default")`. Returns NULL if
+ * they contain more than numbers and quoted words. */
 static const char *skip_numbers(const char *at, const char *end) {
     if (at == end || *at != '(')
         return at;
@@ -43,8 +43,8 @@ static const char *skip_numbers(const char *at, const char *end) {
     return at < end ? skip_blanks(at + 1, end) : NULL;
 }
 
-/* The position after a list such as `((noinline, cold))`. NULL: not all of its attributes are
- * harmless. */
+/* The position after a list such as `((noinline, cold))`. Returns NULL if not all of its attributes
+ * are harmless. */
 static const char *skip_harmless(const char *at, const char *end) {
     for (int open = 0; open < 2; open++) {
         at = skip_blanks(at, end);

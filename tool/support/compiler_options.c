@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <string.h>
 
-/* In strcmp order; tests/driver/test_options.c checks it. An option that is not listed has no
- * argument, does not concern the translator, and is passed only to the compiler. Among gcc's long
- * names (--compile) the table lists only those that stop the compiler early. Sources: the option
- * summaries of gcc 12 and clang 19. */
+/* Sorted as by strcmp; tests/driver/test_options.c checks the order. An option that is not listed
+ * has no argument, does not concern the translator, and is passed only to the compiler. Among gcc's
+ * long names (--compile) the table lists only those that stop the compiler early. Sources: the
+ * option summaries of gcc 12 and clang 19. */
 static const option options[] = {
     {"-###", OPTION_NO_OBJECT},
     {"--", OPTION_JOINED | OPTION_REFUSE | OPTION_GIVE_UP},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The meaning of gcc's and clang's options for the translator and the compiler wrapper: one sorted
- *  table, for options after `--`, from compile_commands.json and through redcc-cc. */
+/** The meaning of gcc's and clang's options for the translator, which gets options after `--` and
+ * from compile_commands.json, and for redcc-cc, the compiler wrapper. There is one sorted table. */
 #ifndef SUPPORT_COMPILER_OPTIONS_H
 #define SUPPORT_COMPILER_OPTIONS_H
 
@@ -34,11 +34,12 @@ enum option_meaning {
 /** One option; or several if the name is the beginning of a family ("-W"). */
 typedef struct option {
     const char *name;
-    unsigned meaning; /**< of enum option_meaning */
+    unsigned meaning; /**< bits of enum option_meaning */
 } option;
 
 /** The entry for a word of the command line: the exact name, else the longest beginning that may
- *  have text joined to it. NULL if the table has none (such an option has no meaning here). */
+ * have text joined to it. Returns NULL if the table has none (such an option has no meaning
+ * here). */
 const option *option_find(const char *word);
 
 /** The options to use in place of an OPTION_LIBERTY: its parts that change no bit of a result. The

@@ -7,8 +7,8 @@
 
 #include "support/buffer.h"
 
-/** A JSON string. If the text is not UTF-8, each of its bytes that is not ASCII becomes '?'. NULL
- * becomes null. A new reference. */
+/** Returns a new reference to a JSON string. If the text is not UTF-8, each of its bytes that is
+ * not ASCII becomes '?'. NULL becomes null. */
 json_t *json_text(const char *text);
 /** Appends the value with indentation and a line end; releases the reference. */
 void json_print(buffer *out, json_t *value);

@@ -19,7 +19,7 @@ static uint32_t count_lines(const char *text, size_t length) {
     return count;
 }
 
-/* Keeps `text`, which must be in the arena, without a copy. */
+/* Makes a source that refers to `text`, which must be in the arena, without copying it. */
 static source *make_source(arena *a, const char *path, const char *text, size_t length) {
     assert(length <= UINT32_MAX && text[length] == 0);
     source *s = ARENA_NEW(a, source);

@@ -11,7 +11,7 @@
 
 typedef struct source {
     const char *path; /* as the user gave it */
-    const char *text; /* length bytes and a 0; BOM, CRLF and all */
+    const char *text; /* the file's bytes (with BOM, CRLF) and a 0 */
     uint32_t length;
     uint32_t line_count;
     const uint32_t *line_begin; /* [line_count] offsets */
@@ -22,8 +22,8 @@ typedef struct position {
     unsigned column; /* from 1, in bytes */
 } position;
 
-/** Reads a file ("-": standard input). NULL, and a message in *message, if it cannot be read, is a
- *  directory, or has 4 GiB or more. */
+/** Reads a file ("-": standard input). Returns NULL, and a message in *message, if the file cannot
+ * be read, is a directory, or has 4 GiB or more. */
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
@@ -39,13 +39,14 @@ bool source_is_word_byte(char c);
 /** May the byte be part of a name: letters, digits, `_`, and by compiler extension `$` and the
  *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
-/** The first name in text[0 .. end) that is a key of `names`, its length in *length; NULL: none.
- *  Comments and strings are text like any other. */
+/** The first name in text[0 .. end) that is a key of `names`, its length in *length, or NULL if
+ * there is none. Comments and strings are text like any other. */
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 /** Does the name occur in text[0 .. length)? */
 bool source_has_name(const char *text, size_t length, const char *name);
-/** The same, for a search that must not miss the word: a `$` or a byte of UTF-8 next to it may
- *  belong to no name (-fno-dollars-in-identifiers), so the word occurs there as well. */
+/** Like source_has_name, for a search that must not miss the word. A `$` or a byte of UTF-8 next to
+ * it may belong to no name (-fno-dollars-in-identifiers), so the word counts as found there,
+ * too. */
 bool source_has_word(const char *text, size_t length, const char *word);
 /** Are the texts equal, or both NULL? */
 bool source_same_text(const char *a, const char *b);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Store forwarding: the value that an iteration stores into an element and reads again goes through
- * a variable, redcc__forward_N, of the element's type. Each thread that executes the iteration
- * computes it; only the owner of the element stores it there.
+ * Store forwarding: if an iteration stores a value into an element and reads it again, the value
+ * goes through a variable, redcc__forward_N, of the element's type. Each thread that executes the
+ * iteration computes the value; only the owner of the element stores it in memory.
  */
 #include "emit/base/forward.h"
 

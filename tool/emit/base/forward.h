@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Elements that an iteration stores and reads again. */
+/** Variables that replace elements which an iteration stores and then reads (store forwarding). */
 #ifndef EMIT_BASE_FORWARD_H
 #define EMIT_BASE_FORWARD_H
 
 #include "emit/base/loop.h"
 
-/** Declares the variables that replace such elements: those of the slice (`of_slice`), or all. */
+/** Declares the variables that replace such elements: only those that the slice uses (`of_slice`),
+ * or all. */
 void declare_forwards(loop_text *loop, writer *out, bool of_slice);
 /** The variable that replaces a read of this node, or NULL. */
 const char *forward_read_name(const loop_text *loop, const ir_node *node);

@@ -14,54 +14,56 @@
 
 /** The names of a reduction array in the generated text. */
 typedef struct array_text {
-    const char *base;  /* the user's own expression: `b`, `s->b` */
-    const char *local; /* its name in the executor: the user's name, which a pointer shadows, or
-                        * another that replaces the user's bytes. `base` and `local` are NULL for
-                        * an array whose elements are scattered */
-    const char *declarator; /* `local` as a declarator */
+    const char *base;       /* the user's own expression: `b`, `s->b` */
+    const char *local;      /* the array's name in the executor: the user's name, which a pointer
+                             * shadows, or another that replaces the user's bytes. `base` and `local` are
+                             * NULL if the rows are scattered: reached through pointers in memory */
+    const char *declarator; /* `local`, marked as a declarator (origin.h) */
     bool is_shadowed;
 } array_text;
 
-/** A function for several iterations at once (emit/lanes/lanes.c). */
+/** A function for several iterations at once, called lanes (emit/lanes/lanes.c). */
 typedef struct lanes_text {
     bool is_wanted;   /* the loop is being written with such a function */
     const char *name; /* NULL: none */
     const char *arguments;
-    lanes_outcome
-        *outcome; /* whether the loop gets such a function, and why not; NULL: not requested */
+    lanes_outcome *outcome; /* set to whether the loop has lanes; NULL: not requested */
 } lanes_text;
 
 /** Slice and body as separate functions (outline.c). */
 typedef struct outline_text {
-    bool possible;                      /* cleared when an obstacle is found */
-    bool *is_passed;                    /* by variable: passed to slice or body */
-    const char **by_address;            /* by variable: the text that replaces its name */
-    const char *text;                   /* slice, body and each thread's last statements: the names
-                                         * in it are those that the context must pass */
-    const char *slice_call, *body_call; /* for iteration redcc__k */
-    const char *reads_call; /* in place of the slice while records are appended; or NULL */
-    const char *tile_call;  /* for the inner iterations of a row in a tile; or NULL */
-    const char *body_parameters, *body_arguments; /* ", ..." without the counter */
+    bool possible;           /* cleared when an obstacle is found */
+    bool *is_passed;         /* indexed by variable: is it passed to slice or body? */
+    const char **by_address; /* indexed by variable: the text that replaces its name, or NULL */
+    const char *text;        /* slice, body and each thread's last statements; the
+                              * context must pass the values that they name */
+    const char *slice_call, *body_call; /* the calls for iteration redcc__k */
+    const char *reads_call; /* call that replaces slice_call while records are appended (bins), or
+                             * NULL */
+    const char *tile_call;  /* call for the inner iterations of a row in a tile, or NULL */
+    const char *body_parameters, *body_arguments; /* lists that begin with a comma, without the
+                                                   * counter */
 } outline_text;
 
 typedef struct loop_text {
     arena *arena;
     const ir_unit *whole; /* all code of the file */
-    const ir_unit *unit;  /* the same without skipped branches in its loops (as_compiled.h) */
+    const ir_unit *unit;  /* the file without the skipped branches in its loops (as_compiled.h) */
     const loop_facts *facts;
     const loop_plan *plan;
     const plan_options *options;
     const char *obstacle; /* the first reason why the loop cannot be written; NULL: none so far */
     ir_range obstacle_range;
 
-    const array_text *arrays; /* indexed as facts->arrays */
-    const char *counter_type; /* as spelled in a declaration or cast of the counter */
+    const array_text *arrays; /* same indices as facts->arrays */
+    const char *counter_type; /* the spelling of the counter's type, for a declaration or a cast */
 
     bool is_unfused; /* contraction is turned off in the loop's functions and its block */
     outline_text outline;
-    const struct bins_plan *bins; /* from the plan, if it is written in that form; or NULL */
+    const struct bins_plan *bins; /* plan->bins if the form for bins is being written; otherwise
+                                   * NULL */
     lanes_text lanes;
-    const struct tile_plan *tiles; /* while the body for tiles is written; or NULL */
+    const struct tile_plan *tiles; /* non-NULL only while the body for tiles is written */
 } loop_text;
 
 /** Records the reason why this loop cannot be written, unless there is one already. */

@@ -6,7 +6,7 @@
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 
-/** The last identifier of a base: `b` of `s->b`. */
+/** The last identifier of a base expression: for `s->b` it is `b`. */
 static const char *short_name(const ir_node *base) {
     if (base->kind == IR_MEMBER && base->field && base->field->name[0])
         return base->field->name;
@@ -63,8 +63,8 @@ void set_names(loop_text *loop) {
 /* ---- declarations -------------------------------------------------------------------------- */
 
 /** The type's spelling for a parameter or variable of a generated function. `restrict` becomes
- *  __restrict__, which compilers know in every C standard; at the end, where it qualifies the
- *  parameter itself, it is dropped, with the blank in front of it. */
+ * __restrict__, which compilers accept in every C standard. At the end of the spelling it qualifies
+ * the parameter itself; there it is dropped, with the blank before it. */
 static const char *spelling_of(arena *a, const ir_type *type) {
     static const char word[] = "restrict";
     enum { LENGTH = sizeof word - 1 };
@@ -100,8 +100,8 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return "int";
 }
 
-/** The spelling of a constant pointer to an array or function, `double (*const)[3]`, without its
- * own `const`. It is the last one in the innermost parentheses. */
+/** The spelling of a constant pointer to an array or function, `double (*const)[3]`, without the
+ * pointer's own `const`, which follows the last `*` in the innermost parentheses. */
 static const char *without_const_inside(arena *a, const char *spelling) {
     static const char word[] = "const";
     const char *const close = strchr(spelling, ')'), *own = NULL, *at = close;
@@ -114,7 +114,7 @@ static const char *without_const_inside(arena *a, const char *spelling) {
     return arena_format(a, "%.*s%s", (int)(own - spelling), spelling, own + sizeof word - 1);
 }
 
-/** The type's spelling without its own `const`, so that objects of it can be assigned. */
+/** The type's spelling without its own `const`, so that objects of that type can be assigned. */
 static const char *unqualified(arena *a, const ir_type *type) {
     static const char before[] = "const ", after[] = "const";
     const char *spelling = spelling_of(a, type);
@@ -148,7 +148,7 @@ const char *pointed_name(const loop_text *loop, const ir_node *node) {
     return loop->outline.by_address[node->variable->id];
 }
 
-/** Does a loop of the tree begin in bytes [begin, end)? */
+/** Does a loop in this subtree begin in bytes [begin, end)? */
 static bool has_loop_between(const ir_node *node, uint32_t begin, uint32_t end) {
     if (ir_is_loop(node) && node->range.begin >= begin && node->range.begin < end)
         return true;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Induction variables (analysis/private/induction.h): the body for iteration redcc__k begins with
- * the value on entry, redcc__from_N, plus redcc__k steps. If an inner loop of a triangle steps the
- * variable, there is instead one step for each preceding inner iteration (redcc/tiles.h). The value
- * is computed in words of 64 bits, which wrap around. Converted to the variable's type, it is that
- * of the sequential loop.
+ * Induction variables (analysis/private/induction.h): in iteration redcc__k such a variable starts
+ * with its value on entry to the loop, redcc__from_N, plus redcc__k steps. If an inner loop of a
+ * triangle (its trip count changes by one per outer iteration) steps the variable, there is one
+ * step for each preceding inner iteration instead (redcc/tiles.h). The value is computed in 64-bit
+ * words, which wrap around. Converted to the variable's type, it equals that of the sequential
+ * loop.
  */
 #include "emit/base/step.h"
 
@@ -12,7 +13,7 @@
 
 #include "emit/text/origin.h"
 
-/** The step, as a word of 64 bits. */
+/** The step as an expression of type redcc_word (64 bits); for a pointer, in bytes. */
 static const char *stride_text(loop_text *loop, const private_variable *item) {
     const ir_type *type = item->variable->type;
     const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
@@ -25,7 +26,8 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
                         (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
-/** The number of inner iterations in the first iteration; a negative number means none. */
+/** The number of inner iterations in the first outer iteration, as C; a negative number means
+ * none. */
 static const char *turns_text(loop_text *loop, const private_variable *item) {
     const triangle *turns = &item->inner;
     const char *end = loop_operand(loop, turns->end);
@@ -35,8 +37,8 @@ static const char *turns_text(loop_text *loop, const private_variable *item) {
                : arena_format(loop->arena, "(redcc_int)%s - redcc__lower + %lld", end, offset);
 }
 
-/** The number of steps before an iteration. `first`: the number of inner iterations in
- *  the first. */
+/** The number of steps before `iteration`, as C. `first`: the number of inner iterations in the
+ * first outer iteration. */
 static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
                               const char *iteration) {
     if (!item->inner.loop)
@@ -57,7 +59,7 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
         const private_variable *item = &loop->facts->variables.privates[i];
         const char *name = origin_variable(loop->arena, item->variable);
         if (item->stride &&
-            !by_header) /* here the loop is known to iterate, and to evaluate the step */
+            !by_header) /* inside the `if`: the loop iterates, so it evaluates the step */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
         if (item->inner.loop && !by_header)
             writer_line(out, "const redcc_int redcc__inner_trips_%u = %s;", i,

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Induction variables other than the counter: each iteration, or each inner iteration, steps
- * them by the same invariant amount. */
+/** Induction variables other than the counter: each iteration, of the loop or of an inner loop,
+ * adds the same invariant step to them. */
 #ifndef EMIT_BASE_STEP_H
 #define EMIT_BASE_STEP_H
 
 #include "emit/base/loop.h"
 
-/** declare_entry_values declares redcc__from_N, the values on entry, of the variables that the
- * header sets (`by_header`); or those of the others, and invariant steps. stepped_value is the
- * value with which private variable `number` begins an iteration, " = ...". write_stepped_values
- * assigns the values after the loop. */
+/** declare_entry_values declares redcc__from_N, the values on entry. If `by_header`, it does so for
+ * variables that the loop's header initialises; otherwise for all other variables, and for
+ * invariant steps. stepped_value is the initialiser, " = ...", of private variable `number` in an
+ * iteration. write_stepped_values assigns the values after the loop. */
 void declare_entry_values(loop_text *loop, writer *out, bool by_header);
 const char *stepped_value(loop_text *loop, unsigned number);
 void write_stepped_values(loop_text *loop, writer *out);

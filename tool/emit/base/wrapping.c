@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions that may be evaluated when the program does not: under fewer conditions than in the
- * loop, or before it. Their values do not matter then, but they must be defined: signed arithmetic
- * wraps around, and addresses are numbers, which may lie outside of every object.
+ * Expressions that generated code may evaluate although the program does not: under fewer
+ * conditions than in the loop, or before it. In that case their values do not matter, but they must
+ * be defined. So signed arithmetic wraps around, and addresses are numbers, which may lie outside
+ * of every object.
  */
 #include "emit/base/wrapping.h"
 
@@ -18,7 +19,8 @@ static bool is_integer(const ir_node *node) {
     return node->type && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-/** Does the operator on unsigned operands give the signed result whenever that is defined? */
+/** Does the operator on unsigned operands give the signed result whenever the signed result is
+ * defined? */
 static bool wraps_around(ir_operator op) {
     return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY ||
            op == IR_OP_SHIFT_LEFT;
@@ -52,8 +54,9 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
 
 /* ---- addresses ----------------------------------------------------------------------------- */
 
-/** The subscript of a span in 64 bits. It increases by a constant with the counter; steps_with in
- * analysis/base/row_steps.c says what it may contain. */
+/** The subscript, computed in 64 bits. It increases by a constant with the counter of a span, an
+ * inner loop that is logged as one range. steps_with in analysis/base/row_steps.c says what it may
+ * contain. */
 static const char *wide_number(arena *a, const ir_node *node, const ir_variable *counter,
                                ir_c_rename rename, void *context) {
     if (node->kind == IR_CAST && expression_mentions(node, counter))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Expressions that may be evaluated when the program does not. */
+/** Expressions that generated code may evaluate although the program does not. */
 #ifndef EMIT_BASE_WRAPPING_H
 #define EMIT_BASE_WRAPPING_H
 
@@ -7,12 +7,13 @@
 #include "emit/base/loop.h"
 
 /** The text of a signed sum, difference, product, negation or left shift that wraps around, as a
- *  primary expression. NULL: the node is none of these, or cannot be spelled. `rename` and its
- * context as in ir_c_expression. */
+ * primary expression. Returns NULL if the node is none of these, or cannot be spelled. `rename` and
+ * `context` are passed to ir_c_expression. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
 
-/** The address as a number, redcc_size; NULL: it cannot be spelled. `counter`: of a span, or NULL;
- * a subscript that increases with it is computed in 64 bits. */
+/** The address as a number of type redcc_size, or NULL if it cannot be spelled. `counter`: the
+ * counter of a span (an inner loop that is logged as one range), or NULL. A subscript that
+ * increases with it is computed in 64 bits. */
 const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
                            ir_c_rename rename, void *context);
 

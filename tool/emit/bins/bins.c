@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Text of the form for in-order binning: macros of redcc/bins.h. */
+/** Writes a loop's form for in-order binning (plan/bins.h explains records, streams, nests and
+ * spans), with the macros of redcc/bins.h. */
 #include "emit/bins/bins.h"
 
 #include <assert.h>
@@ -34,7 +35,8 @@ static const char *row_type(loop_text *loop, unsigned array) {
                : type;
 }
 
-/** Does redcc/bins.h have the record's type, because all its values are doubles, or all floats? */
+/** Does redcc/bins.h declare the record's type? It does if all values are doubles or all are
+ * floats. */
 static bool is_plain_record(const bins_stream *stream) {
     for (unsigned i = 1; i < stream_value_count(stream); i++)
         if (stream->kinds[i] != stream->kinds[0])
@@ -58,7 +60,7 @@ typedef struct spelling {
     const loop_text *loop;
     const bins_record *record;
     const reduction_update *update;
-    unsigned part; /* the number of the element in the nest */
+    unsigned part; /* the element's index in the nest */
 } spelling;
 
 /** The element of the current update, as the apply function names it. */
@@ -76,7 +78,7 @@ static const char *element_in_row(const spelling *its) {
                : rows[array];
 }
 
-/** The printer's hook in an apply function: names of the element and of the record's values. */
+/** A printer hook for apply functions: spells the updated element and the record's values. */
 static const char *name_in_record(const ir_node *node, void *context) {
     const spelling *its = context;
     if (!ir_is_expression(node))
@@ -110,7 +112,7 @@ static const char *record_text(loop_text *loop, const bins_record *record) {
 
 /* ---- positions ------------------------------------------------------------------------------ */
 
-/** The position of the update's element in its row, as C. */
+/** The position of the update's element in its row, as a C expression. */
 static const char *part_of_row_text(const loop_text *loop, const reduction_update *update) {
     const loop_facts *facts = loop->facts;
     const bins_nest *nest = nest_of(facts, loop->bins, update);
@@ -133,8 +135,8 @@ static const char *part_of_row_text(const loop_text *loop, const reduction_updat
     return text;
 }
 
-/** The value of a nest's counter in iteration `part`, in its promoted type; NULL: the node is no
- *  counter. */
+/** The value of a nest's counter in iteration `part`, in its promoted type, or NULL if the node is
+ * not such a counter. */
 static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
                                      const ir_node *node, unsigned part) {
     const struct nest_level *level = nest_level_of(nest, node);
@@ -148,7 +150,8 @@ static const char *nest_counter_text(const loop_text *loop, const bins_nest *nes
 
 /* ---- in the body ---------------------------------------------------------------------------- */
 
-/** Names in an operand of a nest, whose counters are replaced by their values at one element. */
+/** Context for spelling an operand in a nest, with the nest's counters replaced by their values at
+ * element `part`. */
 typedef struct nest_names {
     loop_text *loop;
     const bins_nest *nest;
@@ -180,7 +183,8 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
         a, is_floating(kind) ? text : arena_format(a, "(%s)%s", bins_kind_text(kind), text));
 }
 
-/** The values of the record, as an argument of the appending macro. */
+/** The values of the record as one argument of a macro such as REDCC_UPDATE_BY, which appends the
+ * record. */
 static const char *values_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const unsigned count = stream_value_count(stream);
@@ -202,8 +206,9 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
-/** The element of a scattered array, counted from address 0. The macro gets the address of the
- * row's pointer as well, because that may be an unverified value. */
+/** The macro's arguments for an element of a scattered array, which has no base: the address of the
+ * pointer to the element's row (0: there is no such pointer), and the element's address. The macro
+ * checks the former, because the pointer may be an unverified value. */
 static const char *place_behind(loop_text *loop, const reduction_update *update,
                                 const char *address, ir_c_rename name) {
     const ir_node *load = row_load_of(loop->facts, update);
@@ -300,8 +305,8 @@ static unsigned tag_bits(const bins_stream *stream) {
     return bits;
 }
 
-/** The part of an apply function that makes the updates: declarations of the elements of the second
- *  and further arrays; then the updates, selected by the record's tag. */
+/** The part of an apply function that makes the updates: declarations of the elements of the
+ * stream's second and further arrays; then the updates, selected by the record's tag. */
 static const char *updates_text(loop_text *loop, unsigned stream) {
     const bins_plan *bins = loop->bins;
     const bins_stream *its = &bins->streams[stream];
@@ -337,7 +342,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
-/** May a record make several updates of a float, with rounding to float after each? */
+/** Can a record stand for several updates of a float, each of which rounds to float? */
 static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
     bool has_floats = false;
     for (unsigned i = 0; i < stream->array_count; i++) {
@@ -387,7 +392,7 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
     return true;
 }
 
-/** The entry of a stream: by a macro or, with several arrays, in full. */
+/** The initialiser of a stream's description: a macro call or, with several arrays, a list. */
 static const char *stream_text(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const char *apply = arena_format(loop->arena, "%s_%u", outlined_name(loop, "apply"), stream);

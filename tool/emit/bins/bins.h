@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The form for in-order binning, in the body and the description of a loop. */
+/** Writes the form for in-order binning, which plan/bins.h explains: text for a loop's body and for
+ * its description. */
 #ifndef EMIT_BINS_BINS_H
 #define EMIT_BINS_BINS_H
 
@@ -8,13 +9,13 @@
 
 /** The type of a record's value, by a name that needs no declaration; NULL for VALUE_NONE. */
 const char *bins_kind_text(value_kind kind);
-/** The type of a stream's records; NULL: they have no values. */
+/** The type of a stream's records, or NULL if they have no values. */
 const char *bins_record_name(loop_text *loop, unsigned stream);
-/** The text before an update whose element has this address; `name` spells variables. */
+/** The text before an update of the element at `address`; `name` spells variables. */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name);
-/** The text before an inner loop that appends one record for the loop (a nest or a span); NULL:
- *  none. */
+/** The text before an inner loop that appends one record for the loop (a nest or a span), or NULL
+ * if there is none. */
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
 /** Do apply functions use the context, so that it must be declared before them? */
 bool bins_have_spans(const loop_text *loop);
@@ -23,8 +24,8 @@ void write_bins(loop_text *loop, writer *out);
 /** Writes the descriptions of the bins_stream_count streams. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
-/** Arguments of REDCC_PARALLEL_BINNED: the sources to log and whether updates are exact; the
- * streams. */
+/** Arguments of REDCC_PARALLEL_BINNED: bins_phase gives the sources to log and whether updates are
+ * exact; streams_argument gives the streams. */
 const char *bins_phase(loop_text *loop);
 const char *streams_argument(loop_text *loop);
 

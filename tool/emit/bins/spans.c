@@ -61,7 +61,7 @@ static const char *name_in_span(const ir_node *node, void *context) {
                : NULL;
 }
 
-/** The declaration, in an apply function, of a copy of a variable of the context. */
+/** A declaration for an apply function: a local copy of one of the context's variables. */
 static const char *copy_declaration(loop_text *loop, const ir_variable *variable) {
     const char *name = origin_declarator(loop->arena, variable);
     return variable->type->kind == IR_ARRAY

@@ -8,8 +8,8 @@
 #include "emit/text/print.h"
 #include "plan/bins.h"
 
-/** The text that appends the record of a span; the loop itself is executed only if iterations do
- * not append records. */
+/** The text that appends the record of a span, followed by `else`: the loop itself runs only in
+ * executions that append no records. */
 const char *push_span_text(loop_text *loop, const bins_record *record, ir_c_rename name);
 /** Writes the type of a span's record. */
 void write_span_record(loop_text *loop, const bins_record *record, writer *out);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The executor's body: the user's bytes, with edits. The bases of the reduction arrays are replaced
- * if they are not shadowed, and each update in owner-checked runs first checks that the thread owns
- * the element. A statement is printed from the IR if a part that a macro made must change, or if it
- * keeps a value (an operand, a forwarded store, a live-out).
+ * if they are not shadowed. In owner-checked runs a check that the thread owns the element precedes
+ * each update. A statement is printed from the IR if macro-expanded text in it must change, or if
+ * it records a value (an operand, a forwarded store, a live-out).
  */
 #include "emit/body/body.h"
 
@@ -36,13 +36,14 @@
 
 /* ---- the printer's hooks ------------------------------------------------------------------- */
 
-/** Does the update need braces after the `if` that checks ownership? An expression needs none. */
+/** Does the update need braces after the `if` that checks ownership? A single expression statement
+ * needs none. */
 static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** The text before an update: the ownership check; in bins, what appends a record; in tiles,
- * braces. */
+/** The text before an update: the ownership check; with bins, the code that appends a record; in
+ * tiles, braces and perhaps a check for the row's first tile. */
 static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
         return tiles_begin_with(loop->tiles, update->statement)
@@ -69,7 +70,8 @@ static const char *owner_check_end(const loop_text *loop, const reduction_update
     return needs_braces(update) ? "} }" : "}";
 }
 
-/** Prints, for `s += e`, the statement that keeps the operand. */
+/** If the statement updates a scalar (`s += e`), prints a statement that stores the operand
+ * instead, and returns true. */
 static bool print_operand(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     const int number = scalar_update_at(loop->facts, statement);
@@ -88,7 +90,8 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** Prints, for `o[t] = e`, the assignment of the variable for later reads, and the store. */
+/** If the statement is a forwarded store (`o[t] = e`), prints the assignment of the variable for
+ * later reads, then the store, and returns true. */
 static bool print_forward(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     writer *out = copy->printer.out;
@@ -103,7 +106,8 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** Prints `k = e` and, after it, what records that this iteration has assigned k. */
+/** If the statement assigns a conditional live-out (`k = e`), prints it, followed by code that
+ * records that this iteration assigned k, and returns true. */
 static bool print_noted(body_copy *copy, const ir_node *statement) {
     const int number = conditional_live_out_of(copy->loop->facts, statement);
     if (number < 0 || copy->within == statement)
@@ -117,7 +121,8 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** Prints, in bins, what appends the record of an inner loop; then the loop itself. */
+/** With bins: if the updates of an inner loop are appended as one record, prints the code that
+ * appends it, then the loop, and returns true. */
 static bool print_appends(body_copy *copy, const ir_node *statement) {
     const char *appends = copy->within == statement || copy->loop->tiles
                               ? NULL
@@ -164,8 +169,8 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
     return false;
 }
 
-/** Is the node an enumerator that the function declares before the body, or a sizeof with a renamed
- * operand? */
+/** Is the node an enumerator declared in the function before the body, or a sizeof with a renamed
+ * operand? The copy gets its value instead. */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
@@ -184,7 +189,8 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
     return false;
 }
 
-/** The text that replaces the node; NULL: none. Sets *is_base: the node is an array's base. */
+/** The text that replaces the node, or NULL if there is none. Sets *is_base: the node is an array's
+ * base. */
 static const char *replacement_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
@@ -237,7 +243,8 @@ static void choose_noted(body_copy *copy, const ir_node *node) {
         choose_noted(copy, node->children[i]);
 }
 
-/** Prints statements with calls of accessors: such a call is written as the element it returns. */
+/** Prints statements with calls of accessors (functions that return an element): each call is
+ * written as that element. */
 static void choose_accessors(body_copy *copy, const ir_node *node) {
     if (node->flags & IR_FROM_CALL)
         print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
@@ -280,8 +287,9 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** A loop with updates is unrolled only in plain iterations and in tiles. In other forms that would
- * be slow to compile: there the step hides the counter's value from the compiler. */
+/** Makes the loop's step hide the counter's value from the compiler, except in plain iterations and
+ * in tiles. Otherwise compilers would unroll loops with updates in the other forms, too, which
+ * would be slow to compile. */
 static void keep_others_rolled(body_copy *copy, const ir_node *node) {
     const ir_node *step = node->children[2];
     const char *const text = copy->loop->unit->source->text;
@@ -293,7 +301,7 @@ static void keep_others_rolled(body_copy *copy, const ir_node *node) {
         at--;
     const char *counter =
         text_operand(copy->loop->arena, step->children[0], local_name, copy->loop);
-    if (counter && at > node->range.begin && text[at - 1] == ';') /* no macro's text */
+    if (counter && at > node->range.begin && text[at - 1] == ';') /* not in a macro's expansion */
         edit_insert(copy->loop->arena, &copy->edits, step->range.begin,
                     arena_format(copy->loop->arena, "REDCC_ROLLED(%s), ", counter));
 }
@@ -364,8 +372,8 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
-/** Prints statements around dead code that a macro made: dropping the dead code edits bytes, which
- * is impossible there, and it may name variables that the copy does not get. */
+/** Prints the statements around dead code in a macro's expansion. Such dead code cannot be dropped
+ * by editing bytes, and may name variables that the copy does not get. */
 static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
     if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
         print_instead(copy, node->parent);
@@ -385,7 +393,8 @@ static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
-    if (body->range.begin <= loop->facts->loop->range.begin) /* one macro made header and body */
+    if (body->range.begin <= loop->facts->loop->range.begin) /* one macro expands to header and
+                                                              * body */
         VECTOR_PUSH(loop->arena, &copy->printed, body);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         print_instead(copy, loop->facts->scalars[i].statement);
@@ -407,7 +416,7 @@ static const char *copied_text(body_copy *copy) {
     clip_columns(copy);
     check_owners(copy);
     leave_columns(copy);
-    if (!loop->lanes.is_wanted) /* with lanes, their code is unrolled instead */
+    if (!loop->lanes.is_wanted) /* with lanes, the code for lanes is unrolled instead */
         unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);

@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Declares functions inline that the compiler inlines in the sequential program because they have
- * a single call (inline.c). */
+/** Declares functions inline if the compiler would inline them in the sequential program, because
+ * they are called only once (inline.c). */
 void declare_inlined(loop_text *loop, writer *out);
 
 /** Writes the user's body for one iteration, with declarations of its private variables. */

@@ -15,34 +15,37 @@ typedef struct body_copy {
     loop_text *loop;
     edit_list edits;
     VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
-    const ir_node *within;           /* the statement being printed */
+    const ir_node *within;           /* the statement being printed, which the hook must not replace
+                                      * again, or NULL */
 } body_copy;
 
 /** A hook that spells a node of the body; the context is the loop_text. It gives the local name of
- * an array's base, of an own element, of a forwarded value, or of a variable passed by address.
- * NULL: as the user wrote it. */
+ * an array's base, of an own element, of a forwarded value, or of a variable passed by address. It
+ * returns NULL for other nodes, which are spelled as the user wrote them. */
 const char *local_name(const ir_node *node, void *context);
-/** As local_name, for code that the program may not execute: signed arithmetic wraps around. */
+/** Like local_name, for code that the program may not execute: signed arithmetic wraps around. */
 const char *wrapping_name(const ir_node *node, void *context);
 
 /** Replaces bytes [begin, end). The line ends among them are kept, so that the following text keeps
  *  its line number. */
 void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text);
 
-/** Lets the statement be printed from the IR instead of being copied; if it is a part of a macro's
- *  text, the whole statement that the macro makes. Records an obstacle if that is impossible. */
+/** Marks the statement to be printed from the IR instead of copied. If it is part of a macro's
+ * expansion, the whole expanded statement is marked. Records an obstacle if that is impossible. */
 void print_instead(body_copy *copy, const ir_node *statement);
 bool is_printed(const body_copy *copy, const ir_node *node);
 
-/** Is the node a bound of the loop over columns, which a tile replaces? */
+/** Is the node a bound of the loop over columns while the body for tiles is written? The tile's
+ * bounds replace such bounds. */
 bool is_clipped(const loop_text *loop, const ir_node *node);
 /** In a loop with tiles, clips the loop over columns to those of the tile. */
 void clip_columns(body_copy *copy);
-/** Writes what follows the loop over columns. Called after all insertions at the end of that loop's
- *  body, which may be at the same position. */
+/** In a loop with tiles, writes the text after the loop over columns. Called after all insertions
+ * at the end of that loop's body, which may be at the same position. */
 void leave_columns(body_copy *copy);
 
-/** Lets a thread skip the rest of an inner iteration that updates none of its elements (skip.c). */
+/** Inserts the checks by which a thread skips the rest of an inner iteration that updates none of
+ * its elements (skip.c). */
 void skip_inner_iterations(body_copy *copy, const ir_node *node);
 
 #endif

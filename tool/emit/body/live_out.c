@@ -2,8 +2,9 @@
 /**
  * Conditional lastprivate: private variables that some iterations assign and that are live-out.
  * Their final value is that of the last iteration that assigned them. Each thread stores the value
- * at redcc__noted_N, and the iteration's number at redcc__when_N; of all threads' values that with
- * the highest number is kept. Several threads that execute one iteration store the same value.
+ * at redcc__noted_N, and the iteration's number at redcc__when_N. After the loop the value with the
+ * highest iteration number is taken. Several threads that execute one iteration store the same
+ * value.
  */
 #include "emit/body/live_out.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Live-out private variables. */
+/** Live-out private variables: those whose values are used after the loop. */
 #ifndef EMIT_BODY_LIVE_OUT_H
 #define EMIT_BODY_LIVE_OUT_H
 
@@ -7,19 +7,20 @@
 
 /** Declares storage for the last values of variables that each iteration assigns. */
 void declare_live_outs(loop_text *loop, writer *out);
-/** In the last iteration: stores their values. */
+/** Writes code that stores these values in the last iteration. */
 void note_live_outs(loop_text *loop, writer *out);
-/** After the loop: copies the values to the variables. */
+/** Writes, after the loop, code that copies the values to the variables. */
 void take_live_outs(loop_text *loop, writer *out);
 
-/** For each variable that only some iterations assign: declares storage for the value that the
+/** Declares, for each variable that only some iterations assign, storage for the value that the
  * latest of these iterations assigned, and for that iteration's number. */
 void declare_conditional_live_outs(loop_text *loop, writer *out);
-/** After an assignment of private variable `number`: records value and iteration. */
+/** Writes, after an assignment of private variable `number`, code that records value and
+ * iteration. */
 void write_note(loop_text *loop, writer *out, unsigned number);
-/** At a thread's end: merges its values into the storage. */
+/** Writes, at a thread's end, code that merges its values into the storage. */
 void write_last_notes(loop_text *loop, writer *out);
-/** After the loop: copies the values to the variables. */
+/** Writes, after the loop, code that copies the values to the variables. */
 void take_conditional_live_outs(loop_text *loop, writer *out);
 
 #endif

@@ -5,15 +5,15 @@
 
 #include "emit/base/loop.h"
 
-/** Type and name of own element `number`'s kept value, and the number by which the runtime keeps
- * it. */
+/** Type and name of the value recorded for own element `number`, and the number by which the
+ * runtime identifies it. */
 const char *kept_own_type(const loop_text *loop, unsigned number);
 const char *kept_own_name(loop_text *loop, unsigned number);
 unsigned kept_own_number(const loop_text *loop, unsigned number);
 
-/** At the end of an iteration: keeps the values. */
+/** Writes, at the end of an iteration, code that records the values. */
 void keep_own(loop_text *loop, writer *out);
-/** After the loop: stores the kept values. */
+/** Writes, after the loop, code that stores the recorded values. */
 void store_own(loop_text *loop, writer *out);
 
 #endif

@@ -98,7 +98,8 @@ void declare_operands(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_OPERANDS(%u);", count);
 }
 
-/** The statement that records whether the iteration executes the update; "": each one does. */
+/** The statement that records whether the iteration executes the update; "" if every iteration
+ * does. */
 static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
     return loop->facts->scalars[number].is_conditional
                ? arena_format(loop->arena,
@@ -107,7 +108,8 @@ static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
                : "";
 }
 
-/** Writes the one statement that replaces the user's. */
+/** Writes a block in place of the user's statement. The block is a single statement, so it may
+ * follow an `if` without braces. */
 static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const char *type = type_of(&loop->facts->scalars[number]);
     writer_line(out,

@@ -5,23 +5,24 @@
 
 #include "emit/base/loop.h"
 
-/** What each iteration keeps for update `number`: its operand or, if `is_made`, whether it executes
- * the update. The functions give the type (NULL: nothing is kept), the name of the kept values, and
- * the number by which the runtime knows them. */
+/** Each iteration records a value for update `number`: the update's operand or, if `is_made`,
+ * whether the iteration executes the update. These functions give the value's type (NULL: nothing
+ * is recorded), the name of the recorded values, and the number by which the runtime identifies
+ * them. */
 const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made);
 const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made);
 unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made);
-/** At the call: tells the runtime which values the iterations keep. */
+/** Writes, before the call, the declarations that tell the runtime which values are recorded. */
 void declare_operands(loop_text *loop, writer *out);
-/** At the beginning of an iteration: declares redcc__so_far_N, in which an iteration accumulates
- * the operands of an update in an inner loop. */
+/** Writes, at the beginning of an iteration, declarations of redcc__so_far_N, which accumulate the
+ * operands of updates in inner loops. */
 void declare_repeated_operands(loop_text *loop, writer *out);
-/** At the beginning of an iteration: records that conditional updates are not executed so far, and
- * begins the series. */
+/** Writes, at the beginning of an iteration, code that records that no conditional update has been
+ * executed so far, and that begins the series. */
 void note_no_operands(loop_text *loop, writer *out);
-/** In place of update `number`: keeps its operand `value`. */
+/** Writes, in place of update `number`, code that records its operand `value`. */
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);
-/** After the loop: makes the updates, and stores own elements. */
+/** Writes, after the loop, the updates, and the stores to own elements. */
 void apply_operands(loop_text *loop, writer *out);
 
 #endif

@@ -23,7 +23,7 @@ static bool is_first(const loop_facts *facts, unsigned number) {
     return facts->scalars[number].is_series && series_of(facts, number) == number;
 }
 
-/** The position of the update's series among those of the loop. */
+/** The index of the update's series among the loop's series. */
 static unsigned place_of(const loop_facts *facts, unsigned number) {
     unsigned place = 0;
     for (unsigned i = 0; i < series_of(facts, number); i++)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Inner iterations that a thread skips because it owns no row that they would update: writes the
- * check, and inserts it into the text.
+ * Writes the check by which a thread skips an inner iteration if it owns no row that the iteration
+ * would update. Inserts the check into the body's text.
  */
 #include "analysis/base/row_steps.h"
 #include "analysis/base/stepped.h"
@@ -12,7 +12,8 @@
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
-/** The address of a row as a number, because the program may not compute it. */
+/** The address of a row as a number: the program may never compute it, and then C need not define
+ * the pointer. */
 static const char *row_number(loop_text *loop, const ir_node *row) {
     row_address address;
     return row_address_of(row, &address)
@@ -45,8 +46,8 @@ static const char *first_value_name(const ir_node *node, void *context) {
     return text && type ? arena_format(it->loop->arena, "((%s)%s)", type, text) : NULL;
 }
 
-/** The check of all rows that the nested loop steps through. If the loop has no iterations, there
- * are no rows, and any answer is correct. */
+/** The check for ownership of all rows that the nested loop steps through. If the loop has no
+ * iterations, there are no rows, and any answer is correct. */
 static const char *span_check(loop_text *loop, const skip_row *skipped) {
     arena *a = loop->arena;
     const counted_loop *counted = &skipped->span->counted;
@@ -76,8 +77,8 @@ static const char *row_check(loop_text *loop, const skip_row *skipped) {
                : NULL;
 }
 
-/** The expression that checks whether the thread owns any of the rows; NULL: it cannot be
- *  spelled. */
+/** The expression that checks whether the thread owns any of the rows, or NULL if it cannot be
+ * spelled. */
 static const char *skip_check(loop_text *loop, const inner_skip *skip) {
     const char *check = !skip->needs_leader       ? ""
                         : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "

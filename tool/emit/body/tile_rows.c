@@ -38,7 +38,7 @@ extra_value tile_rows_value(loop_text *loop) {
         "redcc__of_thread_rows"};
 }
 
-/** Statements that copy all variables to the row's values (is_kept), or from there. */
+/** Statements that copy all variables to the row's storage (is_kept), or back from it. */
 static const char *copies(loop_text *loop, bool is_kept) {
     const tile_plan *tiles = loop->tiles;
     buffer text = {0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loop over columns, clipped to a tile (plan/tiles.h). */
+/** Clips the loop over columns to a tile (plan/tiles.h). */
 #include "plan/tiles.h"
 
 #include <assert.h>
@@ -13,7 +13,8 @@ bool is_clipped(const loop_text *loop, const ir_node *node) {
     return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
 }
 
-/** Lets the statements after the node, in its block, be executed in the last tile of a row only. */
+/** Encloses the statements after the node, in its block, in a condition: only the last tile of a
+ * row executes them. */
 static void finish_rows(body_copy *copy, const ir_node *node) {
     loop_text *loop = copy->loop;
     const ir_node *block = node->parent, *last = block->children[block->child_count - 1];

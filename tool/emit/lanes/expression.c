@@ -26,7 +26,7 @@ static const char *operand(vectoriser *l, const ir_node *node, ir_c_rename renam
     return text ? text : "0";
 }
 
-/** A hook that names, for lane redcc__l, reduction arrays, integers and pointers. */
+/** A rename hook that spells reduction arrays, integers and pointers for lane redcc__l. */
 static const char *rename_integer(const ir_node *node, void *context) {
     vectoriser *l = context;
     arena *a = l->loop->arena;
@@ -65,7 +65,8 @@ const char *lane_condition(vectoriser *l, const ir_node *node) {
     return text ? text : "0";
 }
 
-/** An operand that is no vector: a real read from memory, or an integer converted to `type`. */
+/** An operand that is not a vector: a floating value read from memory, or an integer converted to
+ * `type`. */
 static lane_value leaf(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
@@ -97,7 +98,7 @@ static lane_value arithmetic(vectoriser *l, const ir_node *node) {
                         left.is_vector || right.is_vector};
 }
 
-/** A conditional expression, its operands converted to `type`. */
+/** A conditional expression (?:), with its operands converted to `type`. */
 static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
@@ -126,8 +127,8 @@ static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type 
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-/** The call of a library function with a vector form. Inactive lanes pass the operand 1, for which
- * no such function sets errno. */
+/** A call of a library function with a vector form. Inactive lanes pass the operand 1, for which no
+ * such function sets errno. */
 static lane_value known_call(vectoriser *l, const char *name, const ir_node *call) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(call->type);
@@ -138,7 +139,7 @@ static lane_value known_call(vectoriser *l, const char *name, const ir_node *cal
     return (lane_value){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
 }
 
-/** A call made for one active lane after the other. */
+/** A call of a function without a vector form: it is made for one active lane after the other. */
 static lane_value call_by_lane(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(node->type);
@@ -167,7 +168,7 @@ static lane_value call(vectoriser *l, const ir_node *node) {
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-/** The expression in its own type, which is real. */
+/** The expression in its own type, which satisfies lane_is_real. */
 static lane_value real_expression(vectoriser *l, const ir_node *node) {
     if (lane_vector_root(&l->in, node))
         return (lane_value){operand(l, node, NULL), true};

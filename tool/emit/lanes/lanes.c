@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The function that executes several iterations at once: the computations of all of them, and then
- * their updates, iteration by iteration. plan/lanes.h explains why this is sound.
+ * Writes the function that executes several iterations at once: first the computations of all of
+ * them, and then their updates, iteration by iteration. plan/lanes.h explains why this is sound.
  */
 #include "emit/lanes/lanes.h"
 
@@ -16,7 +16,7 @@
 /* ---- updates --------------------------------------------------------------------------------- */
 
 typedef struct update_printer {
-    printer printer; /* first: the printer's hook reaches the other fields through it */
+    printer printer; /* must come first: print_update casts the printer to an update_printer */
     vectoriser *l;
 } update_printer;
 
@@ -80,8 +80,8 @@ static void declare_outer(vectoriser *l) {
                 (long long)facts->counted.step);
 }
 
-/** Writes the updates twice. Most lanes need no ownership checks: for them compilers get a copy
- *  without conditions. */
+/** Writes the updates twice: with ownership checks, and without them, because most lanes need
+ * none. */
 static void write_updates(vectoriser *l, const char *updates) {
     if (l->mask)
         writer_line(l->out, "REDCC_EACH_ITERATION if (%s[redcc__l]) {", l->mask);
@@ -111,8 +111,8 @@ static void write_exit(vectoriser *l, const ir_node *condition) {
 
 static void write_block(vectoriser *l, const ir_node *block);
 
-/** Writes a block's last statement, an `if` with updates. No select is needed: values of the other
- *  lanes are not used after it. */
+/** Writes a block's last statement, an `if` with updates. Variables need no select (a choice by
+ * mask between old and new value), because values of inactive lanes are not used after it. */
 static void write_last_part(vectoriser *l, const ir_node *node) {
     const char *const outer = l->mask;
     if (lane_is_uniform(&l->in, node->children[0])) {
@@ -152,7 +152,8 @@ static void write_block(vectoriser *l, const ir_node *block) {
         write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
-/** The text of the function, after the functions that it calls; NULL: it cannot be written. */
+/** The text of the function, after the vector forms of functions that it calls, or NULL if it
+ * cannot be written. */
 static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
     arena *a = loop->arena;
@@ -193,7 +194,7 @@ void write_lanes(loop_text *loop, writer *out) {
     const char *name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
     bool *is_kept = ARENA_ARRAY(a, bool, loop->unit->variable_count + 1);
     const char *text = function_text(loop, name, is_kept);
-    if (text) /* again: only now is_kept says which variables need an initial value */
+    if (text) /* a second time: only now does is_kept say which variables need an initial value */
         text = function_text(loop, name, is_kept);
     if (!text)
         return;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Writes the form for several iterations at once (redcc/lanes.h). */
+/** Writes the form for several iterations at once, called lanes (redcc/lanes.h). */
 #ifndef EMIT_LANES_LANES_H
 #define EMIT_LANES_LANES_H
 

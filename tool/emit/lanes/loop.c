@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Inner loops in vector code: their iterations are the same for all lanes.
+ * Inner loops in vector code: all lanes execute the same iterations.
  */
 #include "emit/lanes/vectoriser.h"
 

@@ -27,7 +27,8 @@ const char *lane_new_mask(vectoriser *l, const char *condition) {
     return name;
 }
 
-/** The mask of && or ||. Lanes in which the left side decides do not evaluate the right one. */
+/** The mask of && or ||. A lane whose left operand decides the result does not evaluate the right
+ * one. */
 static const char *both(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const bool is_and = node->op == IR_OP_AND;

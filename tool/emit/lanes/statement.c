@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Statements that compute, for all lanes, and the functions that they call. Loops must be the same
- * for all lanes; an `if` may be executed by some lanes only (mask.c).
+ * Writes statements that compute, for all lanes, and the functions that they call. All lanes must
+ * execute the same iterations of a loop; an `if` may be executed by some lanes only (mask.c).
  */
 #include <assert.h>
 #include <string.h>
@@ -89,7 +89,7 @@ static void declare_vector(vectoriser *l, const ir_variable *variable, const ir_
         writer_line(l->out, "%s %s%s;", vector, name, extents(l, type));
         return;
     }
-    /* zeroed if it has no value: a select may read it, although the result is not used */
+    /* without a value it is zeroed: a select may read it, although the result is not used */
     writer_line(l->out, "%s %s%s = %s;", vector, name, extents(l, type),
                 !value                   ? zeros(l, type)
                 : type->kind == IR_ARRAY ? array_initialiser(l, type, value)
@@ -151,8 +151,8 @@ static const char *parameter_text(vectoriser *l, const ir_variable *parameter, l
     return arena_format(a, *of ? "%s (*%s)%s" : "%s *%s%s", vector, name, of);
 }
 
-/** Is the argument an array of one value per lane, of the parameter's type, and does the function
- * not change the parameter? Then the argument needs no copy. */
+/** Is the argument an array with one value of the parameter's type per lane, and does the function
+ * leave the parameter unchanged? Then the argument needs no copy. */
 static bool needs_no_copy(const vectoriser *l, const ir_variable *parameter, const ir_node *value) {
     return value->kind == IR_VARIABLE && l->in.class_of[value->variable->id] == LANE_VARYING &&
            ir_type_equal(parameter->type, value->variable->type) &&
@@ -269,8 +269,8 @@ const char *lane_call(vectoriser *l, const ir_node *call) {
 
 /* ---- statements ----------------------------------------------------------------------------- */
 
-/** The result of `target op= value`, or `target = value`: a vector of the target's type. C computes
- *  in the wider of both types, and converts. */
+/** The result of `target op= value` or `target = value`: a vector of the target's type. As in C, it
+ * is computed in the wider of both types and converted. */
 static const char *assigned_value(vectoriser *l, const ir_node *node, const char *target) {
     const ir_node *value = node->children[1];
     const ir_type *type = node->children[0]->type;
@@ -308,7 +308,8 @@ static void assign_vector(vectoriser *l, const ir_node *node) {
     writer_line(l->out, "%s = %s;", target, value);
 }
 
-/** The assignment of a private integer or pointer: for each lane, or once if it is uniform. */
+/** The assignment of a private integer or pointer: one per lane, or a single one if the variable is
+ * uniform. */
 static const char *assignment_of(vectoriser *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     if (target->kind != IR_VARIABLE || !lane_is_own(&l->in, target->variable) ||

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Several iterations at once (redcc/lanes.h): the body of a loop, and the functions that it calls,
- * written once more for vectors.
+ * Lanes (redcc/lanes.h): writes the body of a loop, and the functions that it calls, once more with
+ * vectors, which compute several iterations at once.
  */
 #ifndef EMIT_LANES_VECTORISER_H
 #define EMIT_LANES_VECTORISER_H
@@ -10,7 +10,7 @@
 #include "plan/lanes.h"
 #include "support/vector.h"
 
-/** The vector form of a function, with parameters of these classes. */
+/** The vector form of a function. `classes` says how it gets each parameter. */
 typedef struct lane_clone {
     const ir_function *function;
     const lane_class *classes; /* [parameter_count] */
@@ -21,22 +21,22 @@ typedef struct lane_clone {
 typedef VECTOR(lane_clone) lane_clone_list;
 
 typedef struct vectoriser {
-    lane_scope in; /* the code being written */
+    lane_scope in; /* scope of the code being written */
     loop_text *loop;
     lane_clone_list *clones;
     writer *front; /* vector forms of called functions, inserted before the current function */
     writer *out;
-    unsigned depth;   /* of calls */
-    bool *is_kept;    /* by variable: some lanes keep its old value */
-    const char *mask; /* the lanes that execute the current code; NULL: all */
-    const ir_node
-        *region;      /* the code under the mask's condition; NULL: the other lanes have ended */
-    bool may_be_none; /* the current code may be executed without any active lane */
+    unsigned depth;        /* nesting depth of calls */
+    bool *is_kept;         /* indexed by variable: some lanes keep its old value */
+    const char *mask;      /* the lanes that execute the current code; NULL: all */
+    const ir_node *region; /* code under the mask's condition, or NULL if inactive lanes have
+                            * ended */
+    bool may_be_none;      /* the current code may be executed without any active lane */
     unsigned *mask_count;
 } vectoriser;
 
-/** The text of a real expression, as a primary expression: a vector, or a scalar that is the same
- * for all lanes. */
+/** The text of a floating expression, as a primary expression: a vector, or a scalar that is the
+ * same for all lanes. */
 typedef struct lane_value {
     const char *text;
     bool is_vector;
@@ -62,7 +62,7 @@ const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type);
 
 /** The expression for all lanes, converted to a type that satisfies lane_is_real. */
 lane_value lane_expression(vectoriser *l, const ir_node *node, const ir_type *to);
-/** As lane_expression, but always a vector. */
+/** Like lane_expression, but the result is always a vector. */
 const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to);
 /** The expression for lane redcc__l; the user's own if it is uniform. */
 const char *lane_scalar(vectoriser *l, const ir_node *node);
@@ -85,7 +85,7 @@ bool lane_needs_select(const vectoriser *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */
 void lane_masked_if(vectoriser *l, const ir_node *node);
 
-/** The declaration of a variable of the iteration, without a value. */
+/** Declares a variable of the iteration, without a value. */
 void lane_declare(vectoriser *l, const ir_variable *variable);
 /** The type without its own qualifiers. */
 const char *lane_type(vectoriser *l, const ir_type *type);

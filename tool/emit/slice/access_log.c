@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Writes what logs addresses: of one row, of all rows that a loop steps through, of reads in loops
- * of a called function. */
+/* Writes the code that logs addresses: of one row; of all rows that a loop steps through; of reads
+ * in loops of a called function. */
 #include "emit/slice/access_log.h"
 
 #include <assert.h>
@@ -29,7 +29,8 @@ const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
     return NULL;
 }
 
-/** The value of a counter of a loop over constants, in the first or last row of a span. */
+/** The value of `counter` in the first or last row of the current span (is_at_last), if it counts a
+ * loop with constant bounds; otherwise NULL. */
 static const char *end_value(inspector *self, const ir_variable *counter) {
     const ir_node *loop = vector_loop_of(self->span, self->place, counter);
     const ir_variable *stepped;
@@ -106,12 +107,14 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
     if (self->is_unconditional && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
         if (row_needs_address(&address) &&
-            number) /* the address of a pointer that replaces the object would be another one */
+            number) /* a pointer that replaces the object would have another address */
             self->loop->outline.possible = false;
     }
     if (number)
         return arena_format(a, "(const char *)(%s)", number);
-    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
+    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* without the cast
+                                                                         * compilers would warn
+                                                                         * about the qualifier */
     return arena_format(a, "%s&%s", plain, log_row_text(self, row));
 }
 
@@ -162,7 +165,7 @@ static bool is_guarded(const loop_text *loop, unsigned number) {
     return false;
 }
 
-/** Writes the end of a dependence pre-check, which may stop after this access. */
+/** Writes the statement by which a dependence pre-check may stop after this access. */
 static void may_end_here(inspector *self, bool is_update, unsigned number) {
     loop_text *loop = self->loop;
     writer *out = self->printer.out;
@@ -282,8 +285,8 @@ static void open_loops(inspector *self, const loop_source *read, bool is_span) {
     }
 }
 
-/** Logs the reads in loops of a called function: in each iteration, or the innermost loop as one
- *  span. */
+/** Logs the reads in loops of a called function: each iteration, or the innermost loop as one span
+ * (range). */
 static void log_in_loops(inspector *self, const loop_source *read, unsigned number,
                          const ir_node *base) {
     const source_loop *last = &read->loops[read->loop_count - 1];

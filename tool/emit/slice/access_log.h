@@ -10,7 +10,7 @@
 /** A row whose address is logged. */
 typedef struct logged_row {
     const ir_node *row;
-    int source; /* its number in the plan; SOURCE_NOT_LOGGED: the row is of an update */
+    int source; /* number in the plan; SOURCE_NOT_LOGGED: it is the row of an update */
     unsigned array;
     bool is_unconditional;
     const ir_node
@@ -22,18 +22,19 @@ typedef VECTOR(logged_row) row_list;
 typedef struct inspector {
     printer printer; /* first: the printer's hook reaches the other fields through it */
     loop_text *loop;
-    bool *update_logged;   /* by update */
-    bool *source_logged;   /* by source of the facts */
-    bool *is_mentioned;    /* by variable: named in the printed text */
+    bool *update_logged;   /* indexed by update: is it logged? */
+    bool *source_logged;   /* per facts->sources[i]: is it logged? */
+    bool *is_mentioned;    /* indexed by variable: is it named in the printed text? */
     bool is_unconditional; /* the current code may be evaluated when the program does not */
-    unsigned loop_count;   /* loops of a called function around the current code */
+    unsigned loop_count;   /* number of loops of a called function around the current code */
     const source_loop *loops;
-    const ir_node *span;  /* the span whose first or last row is being spelled; NULL: none */
-    const ir_node *place; /* the place of that row's access */
+    const ir_node *span;  /* the span whose first or last row is being spelled, or NULL */
+    const ir_node *place; /* where the loop accesses that row */
     bool is_at_last;      /* the last row is being spelled, not the first */
-    const ir_node *hulls; /* the outermost loop whose hulls are being logged; NULL: none */
+    const ir_node *hulls; /* the outermost loop whose hulls are being logged, or NULL */
     row_list recent;      /* the rows logged by the last statements of the text */
-    size_t recent_end;    /* where they end in the text; statements follow if the text is longer */
+    size_t recent_end;    /* end of these statements in the text; if the text is longer, others
+                           * follow */
 } inspector;
 
 bool logged_same(const logged_row *a, const logged_row *b);
@@ -45,22 +46,24 @@ unsigned logged_number(const logged_row *item);
 /** The printer's hook that spells names in the slice, and records each variable in is_mentioned.
  *  context: the inspector. */
 const char *inspector_note_variable(const ir_node *node, void *context);
-/** The text of &row; or, if the program may not execute the access, of the address as a number,
- *  because C defines a pointer only within its object. `counter`: that of a span around the row; or
- *  NULL. */
+/** The text of &row. If the program may not execute the access, it is a number instead, because C
+ * defines a pointer only within its object. `counter`: the counter of a span around the row, or
+ * NULL. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
-/** The row as the slice spells it, with variables in place of stored values. */
+/** The row as the slice spells it, with the variables that replace forwarded stores and own
+ * elements. */
 const char *log_row_text(inspector *self, const ir_node *row);
 
-/** Logs an update of a row of array `number` (`is_update`), or a read of one of source `number`.
- *  `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
+/** Logs an update of a row of array `number` (`is_update`), or a read of a row of source `number`.
+ * `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
-/** The loop over constants between the span and the place that has this counter; NULL: none. */
+/** The loop with constant bounds, inside the span and around `place`, that has this counter, or
+ * NULL if there is none. */
 const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
                               const ir_variable *counter);
-/** Logs the range of a span from its first row, whose address is in redcc__begin_N, N being `row`,
- * to the last one, `item`. */
+/** Logs the range of a span from its first row, whose address is in redcc__begin_N (N is `row`), to
+ * the last row, `item`. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter);
 /** Logs the address of an update, unless it was just logged. */
 void log_update(inspector *self, const reduction_update *update);

@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Loops of the slice that visit only their first and last iterations while a thread classifies
- *  iterations (analysis/loop/hulls.h): the macros around and inside of them. */
+/** Hulls (analysis/loop/hulls.h): the hull of a loop's accesses is the range from the lowest to the
+ * highest address. While a thread classifies iterations, some loops of the slice visit only their
+ * first and last iterations. Writes the macros around and inside of such loops. */
 #ifndef EMIT_SLICE_HULL_H
 #define EMIT_SLICE_HULL_H
 
 #include "emit/slice/access_log.h"
 
-/** Is the loop the outermost of such loops? */
+/** Is the loop the outermost of these loops? */
 bool begins_hulls(const inspector *self, const ir_node *loop);
 
-/** Writes the declarations before this loop, and after it the comparisons of the hulls with the
- *  owner's range. */
+/** begin_hulls writes the declarations before this loop; end_hulls, after it, the comparisons of
+ * the hulls with the owner's range. */
 void begin_hulls(inspector *self, const ir_node *loop);
 void end_hulls(inspector *self);
 
-/** The loop's step expression, while such loops are written; NULL: the program's own. */
+/** The step expression of the loop, if it visits only its ends, or NULL for the program's own
+ * step. */
 const char *hull_step(inspector *self, const ir_node *loop);
 
 #endif

@@ -26,7 +26,8 @@ static bool is_declared_in_block(const ir_node *node) {
 }
 
 /** Is the source's address logged before this statement or declarator? It is logged before the very
- *  declarator that reads it, since preceding ones of the declaration may compute the address. */
+ * declarator that reads it, since preceding declarators of the same declaration may compute the
+ * address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
@@ -35,8 +36,8 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
     return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
-/** Writes the check whether the iteration leaves the loop. clang would warn of additional
- * parentheses around a comparison. */
+/** Writes the check whether the iteration leaves the loop. A comparison gets no additional
+ * parentheses, of which clang would warn. */
 static void write_exit(inspector *self, const loop_exit *exit) {
     const ir_node *condition = exit->rest->children[0];
     const char *operand = log_row_text(self, condition);
@@ -87,14 +88,14 @@ static bool before_statement(printer *p, const ir_node *statement) {
            (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
 }
 
-/* ---- spans: loops logged at once ------------------------------------------------------------- */
+/* ---- spans: loops whose rows are logged as one range ----------------------------------------- */
 
 static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
-/** Are the two places within the same loops over constants, of those whose counters occur in the
- *  row? */
+/** Are both places within the same loops with constant bounds, as far as their counters occur in
+ * the row? */
 static bool has_same_ends(const ir_node *row, const ir_node *span, const ir_node *place,
                           const ir_node *other) {
     if (row->kind == IR_VARIABLE &&
@@ -116,7 +117,7 @@ static void list_row(inspector *self, row_list *rows, const loop_span *span, log
     VECTOR_PUSH(self->printer.arena, rows, item);
 }
 
-/** Is the row, at a place in the span's body, logged in a nested span? */
+/** Is the row, accessed at a place in the span's body, logged by a nested span? */
 static bool is_logged_below(const loop_facts *facts, const loop_span *span, const ir_node *place,
                             const ir_node *row) {
     for (const ir_node *node = place->parent; node && node != span->loop; node = node->parent)
@@ -125,7 +126,7 @@ static bool is_logged_below(const loop_facts *facts, const loop_span *span, cons
     return false;
 }
 
-/** Does an enclosing span that steps the row log it? */
+/** Is the row logged by an enclosing span, because that span's variables occur in the row? */
 static bool is_logged_above(const loop_facts *facts, const loop_span *span, const ir_node *row) {
     for (const ir_node *node = span->loop->parent; node != facts->loop; node = node->parent)
         if (span_of(facts, node) && span_mentions(span_of(facts, node), row) > 0)
@@ -167,8 +168,8 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Do enclosing spans log all rows of the span, and does nothing else need its header? Then the
- * span is not written. */
+/** Do enclosing spans log all rows of the span, and does nothing else need the span's header? Then
+ * the span is not written. */
 static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
     return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
@@ -193,14 +194,14 @@ static void step_to_last(inspector *self, const loop_span *span) {
     const char *counter = origin_variable(self->printer.arena, counted->counter);
     const char *last = arena_format(self->printer.arena, "%s%s", log_row_text(self, counted->bound),
                                     counted->comparison == IR_OP_LESS ? " - 1" : "");
-    if (counted->step > 1) /* if there are no iterations, still less than the first value */
+    if (counted->step > 1) /* without iterations, `last` remains less than the first value */
         last = arena_format(self->printer.arena,
                             "(redcc_int)(%s) - (redcc_int)(((redcc_size)(%s) - (redcc_size)%s) %% "
                             "%lldu)",
                             last, last, counter, (long long)counted->step);
     for (unsigned i = 0; i < span->stepped_count; i++) {
         const char *name = origin_variable(self->printer.arena, span->stepped[i]);
-        if (span->stepped[i]->type->kind == IR_POINTER) /* but the counter is an integer */
+        if (span->stepped[i]->type->kind == IR_POINTER) /* the counter itself is an integer */
             writer_line(out,
                         "%s = (__typeof__(%s))((redcc_size)%s + "
                         "((redcc_size)(%s) - (redcc_size)%s) * sizeof(*%s));",
@@ -225,7 +226,7 @@ static void step_past_end(inspector *self, const loop_span *span) {
 }
 
 /** Writes a span in place of its loop. Before this text the stepped variables have their initial
- *  values; after it, those after the loop. */
+ * values; after it, the values that they have after the loop. */
 static void log_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;

@@ -20,7 +20,7 @@ typedef struct edit {
     uint32_t begin;
     uint32_t end;
     const char *text; /* not copied: must outlive the list */
-    unsigned serial;  /* when it was added */
+    unsigned serial;  /* number of edits added before it */
 } edit;
 
 typedef struct edit_list {
@@ -33,7 +33,7 @@ void edit_insert(arena *a, edit_list *list, uint32_t place, const char *text);
 /** Appends bytes [begin, end) of `text` with the edits made. Returns false, with nothing appended,
  *  if an edit leaves that range, ends before it begins, or overlaps another. Sorts the list. */
 bool edit_apply(buffer *out, const char *text, uint32_t begin, uint32_t end, edit_list *list);
-/** As edit_apply, with the unedited parts marked as copies of the user's bytes (origin.h). */
+/** Like edit_apply, but marks the unedited parts as copies of the user's bytes (origin.h). */
 bool edit_apply_marked(buffer *out, const char *text, uint32_t begin, uint32_t end,
                        edit_list *list);
 

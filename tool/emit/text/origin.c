@@ -9,10 +9,10 @@
 enum { MARK_BEGIN = 1, MARK_END = 2 };
 
 /* A mark is MARK_BEGIN, a letter, two numbers, MARK_END. The first number is the address of the
- * object meant, or an offset in the file; the second the number of bytes before or after the mark
- * that it applies to. */
+ * object meant, or an offset in the file. The second is the number of bytes, before or after the
+ * mark, to which it applies. */
 static const char format[] = "\x01%c%llx,%lx\x02";
-static const char letters[] = "ndtvc"; /* by origin_kind */
+static const char letters[] = "ndtvc"; /* indexed by origin_kind */
 _Static_assert(sizeof letters - 1 == ORIGIN_COPY + 1, "a letter for each kind");
 
 static const char *mark(arena *a, origin_kind kind, const void *meant, size_t length) {
@@ -25,7 +25,7 @@ static const char *marked(arena *a, origin_kind kind, const char *name, const ir
 }
 
 const char *origin_variable(arena *a, const ir_variable *variable) {
-    return variable->stands_for ? variable->name /* a variable that the translator made */
+    return variable->stands_for ? variable->name /* a variable that redcc introduced */
                                 : marked(a, ORIGIN_NAME, variable->name, variable->declared);
 }
 
@@ -123,7 +123,8 @@ static void put(unmarking *u, char byte) {
     buffer_byte(&u->out, byte);
 }
 
-/* Appends copied bytes. If bytes are inserted into the copy, it is split into several origins. */
+/* Appends copied bytes. If a carriage return is inserted into the copy, it is split into several
+ * origins. */
 static void put_copy(unmarking *u, const char *text, uint32_t from, size_t length) {
     origin piece = {.kind = ORIGIN_COPY, .begin = (uint32_t)u->out.length, .from = from};
     for (size_t i = 0; i < length; i++) {

@@ -28,7 +28,7 @@ typedef enum origin_kind {
 typedef struct origin {
     origin_kind kind;
     uint32_t begin, end;
-    uint32_t from;            /* ORIGIN_COPY: their place in the main file */
+    uint32_t from;            /* ORIGIN_COPY: offset of the bytes in the main file */
     const ir_declared *meant; /* ORIGIN_NAME, ORIGIN_DECLARED; NULL: unknown */
     const ir_type *type;      /* ORIGIN_TYPE, ORIGIN_VALUE */
 } origin;

@@ -144,7 +144,7 @@ void print_body(printer *p, const ir_node *body) {
         close_block(p, "}");
 }
 
-/** Prints the body of a control statement, after whose head a brace is open. */
+/** Prints the body of a control statement, whose opening brace has been printed. */
 static void print_part(printer *p, const ir_node *part) {
     p->out->depth++;
     if (part->kind == IR_BLOCK) {
@@ -249,8 +249,8 @@ static void print_case(printer *p, const ir_node *node) {
     print_statement(p, node->children[node->child_count - 1]);
 }
 
-/** Prints a jump, unless control between it and its target is omitted from the slice. Without the
- *  jump the inspector only logs more than the loop touches. */
+/** Prints a jump, unless the slice omits a control statement between it and its target. Without the
+ * jump the inspector only logs more than the loop touches. */
 static void print_jump(printer *p, const ir_node *node) {
     const bool is_break = node->kind == IR_BREAK;
     if ((is_break ? p->unkept_since_break : p->unkept_since_continue) > 0)
@@ -265,7 +265,7 @@ static void print_jump(printer *p, const ir_node *node) {
         p->continues = true;
 }
 
-/** Prints the statements under omitted control, as if executed once. */
+/** Prints the statements under an omitted control statement, as if executed once. */
 static void print_below(printer *p, const ir_node *node) {
     p->unkept_since_break++;
     p->unkept_since_continue++;

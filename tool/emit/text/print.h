@@ -9,20 +9,21 @@ typedef struct printer printer;
 struct printer {
     arena *arena;
     writer *out;
-    const bool *keep;   /* by node id: the parts to print; NULL: everything. Parts under omitted
-                         * control statements are printed as if executed once */
+    const bool *keep;   /* indexed by node id: the parts to print; NULL: everything. Parts under
+                         * omitted   control statements are printed as if executed once */
     ir_c_rename rename; /* as in ir_c_expression */
     void *context;
     /** Called before each statement, kept or not; true: it is skipped. Also called, with the result
      * ignored, before each declarator of a block's declarations. */
     bool (*before)(printer *p, const ir_node *statement);
-    /** May be NULL. True: in place of this `for`, its initialisation is printed, and then an `if`
-     *  with its condition, whose body print_at_once prints. */
+    /** Is this `for` printed as its initialisation, followed by an `if` with its condition, whose
+     * body print_at_once prints? May be NULL. */
     bool (*is_at_once)(const printer *p, const ir_node *loop);
     void (*print_at_once)(printer *p, const ir_node *loop);
     /** The text before a `for`, with a blank after it; may be NULL. */
     const char *(*in_front_of_for)(const ir_node *loop);
-    /** The step expression of a `for` that replaces its own; NULL: its own. May be NULL. */
+    /** The step expression of a `for` that replaces its own, or NULL to keep its own. The hook
+     * itself may be NULL. */
     const char *(*step_of)(printer *p, const ir_node *loop);
     void (*at_end)(printer *p); /* before print_body closes the block; may be NULL */
     const char *problem;        /* the first part that cannot be printed, or NULL */

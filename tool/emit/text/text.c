@@ -15,15 +15,15 @@ enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
 typedef struct line_scan {
     size_t columns;  /* without marks */
     size_t indent;   /* the number of blanks at the beginning */
-    size_t comma;    /* position of the last blank after a comma; 0: none */
-    size_t blank;    /* position of the last blank of any kind; 0: none */
-    bool is_remark;  /* that blank is in a comment */
-    char quote;      /* the quote of the literal at the end of the part; 0: none */
+    size_t comma;    /* position of the last blank after a comma, or 0 */
+    size_t blank;    /* position of the last blank of any kind, or 0 */
+    bool is_remark;  /* the last blank is in a comment */
+    char quote;      /* the quote of the literal at the end of the part, or 0 */
     bool is_escaped; /* the next byte of that literal is escaped */
     bool is_comment; /* the part ends in a comment */
 } line_scan;
 
-/** The end of the line; has_copy: it contains the user's bytes. */
+/** Returns the end of the line; sets *has_copy if it contains bytes of the user's file. */
 static const char *line_end(const char *at, const char *end, bool *has_copy) {
     *has_copy = false;
     while (at < end && *at != '\n') {
@@ -85,8 +85,8 @@ static void break_line(arena *scratch, line_scan *line, buffer *out) {
     *line = next;
 }
 
-/** Breaks lines from `begin` on that are too long. Directives and lines with bytes of the user stay
- *  as they are. */
+/** Breaks lines from `begin` on that are too long, except for directives and lines with the user's
+ * bytes. */
 static void break_lines(writer *w, size_t begin) {
     arena *scratch = arena_new();
     const char *at = arena_format(scratch, "%s", w->out.data + begin);
@@ -171,7 +171,7 @@ typedef struct marking {
     void *context;
 } marking;
 
-/** Is it an enumerator? Other constants begin with a digit, or have quotes. */
+/** Is the node an enumerator? Other constants begin with a digit, or have quotes. */
 static bool is_enumerator(const ir_node *node) {
     return node->kind == IR_NUMBER && node->flags & IR_HAS_VALUE && node->text &&
            source_is_name_byte(node->text[0]) && !isdigit((unsigned char)node->text[0]) &&
@@ -193,8 +193,8 @@ static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
     return arena_format(a, "(-%lld%s - 1)", (long long)-(value + 1), suffix); /* even INT64_MIN */
 }
 
-/** A hook that marks names, and writes enumerators and sizeofs as numbers: their meaning depends on
- *  where they are, their value does not. */
+/** A rename hook that marks names. It writes enumerators and sizeofs as numbers, because their
+ * meaning depends on their place and their value does not. */
 static const char *marked_name(const ir_node *node, void *context) {
     const marking *m = context;
     const char *other = m->rename ? m->rename(node, m->context) : NULL;
@@ -224,7 +224,7 @@ const char *text_expression(arena *a, const ir_node *expression, ir_c_rename ren
     return text;
 }
 
-/** Is it a postfix or primary expression, which binds tighter than a cast or & before it? */
+/** Is the expression postfix or primary, so that it binds tighter than a cast or & before it? */
 static bool is_tight(const ir_node *expression) {
     switch (expression->kind) {
     case IR_NUMBER: /* may print as -1 for an enumerator or macro */

@@ -22,7 +22,8 @@ const char *writer_text(arena *a, writer *w);
 const char *text_quoted(arena *a, const char *text);
 /** The expression as C, or NULL if it cannot be spelled. */
 const char *text_expression(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
-/** As text_expression, in parentheses unless a cast or & before the text applies to all of it. */
+/** Like text_expression, but in parentheses unless a cast or & before the text applies to all of
+ * it. */
 const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
 /** The expression, in parentheses if it has a comma, at which a macro might split it. */
 const char *macro_argument(arena *a, const char *marked);
