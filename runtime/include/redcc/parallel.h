@@ -6,9 +6,8 @@
  * A loop adds to elements or rows b[i] of arrays, and i comes from memory. It is described by a few
  * small functions. From them the runtime learns which iterations update which rows. It gives each
  * row to one thread and executes the loop. Each row gets its updates in the order of the loop: the
- * result is that of the sequential loop, bit for bit, at every number of threads.
- * docs/by-hand.md has the first steps, examples/by-hand has four loops and
- * a program that checks them.
+ * result is that of the sequential loop, bit for bit, at every number of threads. docs/by-hand.md
+ * has the first steps, examples/by-hand has four loops and a program that checks them.
  *
  *     struct NAME {...};                 the context: the values and pointers that the loop uses
  *     REDCC_SLICE(NAME, int t) {...}     names the rows that iteration t updates and reads
@@ -31,7 +30,8 @@
  *                                              body for each iteration in order, then NAME_over
  *
  * In all functions `loop` is the context (constant) and `it` the argument of the calls below. If
- * several threads call NAME_run at once, one of them runs in parallel, the others sequentially.
+ * several threads call NAME_run at once, one of them runs in parallel, and for the others NAME_run
+ * returns 0.
  *
  * SLICE. Its calls may come any number of times and in any order. A superfluous row costs time; a
  * missing row gives wrong results (REDCC_VALIDATE=1 finds it). Values that decide which rows are
@@ -75,7 +75,7 @@
  *                                            REDCC_AND, REDCC_OR, REDCC_XOR; type: one word
  *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is reused while
  *                                            all that was read of these is unchanged
- *     REDCC_READ(name)                       is read only for values
+ *     REDCC_READ(name)                       does not decide which rows are updated
  *     REDCC_KEPT(ARRAY, type, n)             updates may be stored and made later, in order (binning:
  *                                            for subscripts that change in each call). n: numbers
  *                                            in a row, or 1 with redcc_add and the like. Either all
@@ -107,7 +107,8 @@
     REDCC_INLINE void name##_slice(const redcc_slice *it, counter, const struct name *loop)
 #define REDCC_BODY(name, counter)                                                                  \
     REDCC_INLINE void name##_body(redcc_body *it, counter, const struct name *loop)
-/** For a body of some hundred operations: compiled once for all modes. Requires REDCC_ONE_BODY. */
+/** For a body of several hundred operations: it is compiled once for all modes. Requires
+ * REDCC_ONE_BODY. */
 #define REDCC_HEAVY_BODY(name, counter)                                                            \
     REDCC_ONCE void name##_body(redcc_body *it, counter, const struct name *loop)
 #define REDCC_DESCRIBE(name)                                                                       \
@@ -121,7 +122,8 @@
     { name, 0 }
 #define REDCC_KEPT(array, type, n) REDCC_KEPT_BY(0, array, type, n, (n) * sizeof(type))
 /** As REDCC_KEPT, with the file's own apply function (0: the library's) and records of `bytes`
- * bytes: if doubles are added to a float, records have 8. */
+ * bytes. Records may have a wider type than the array: for doubles added to floats, they have 8
+ * bytes per number. */
 #define REDCC_KEPT_BY(apply, array, type, n, bytes)                                                \
     { apply, 1, {array, 0, 0, 0}, {(n) * sizeof(type), 0, 0, 0}, bytes, 0, REDCC_IS_INTEGER(type) }
 
@@ -133,8 +135,8 @@
     redcc_slice_read_row(it, source, &(base)[row], base, (redcc_int)(row), sizeof((base)[row]))
 #define redcc_updates_bytes(it, array, address, bytes) redcc_slice_update(it, array, address, bytes)
 #define redcc_reads_bytes(it, source, address, bytes) redcc_slice_read(it, source, address, bytes)
-/** Returns 1 if the slice must return at once. Called after an update, and after a read that may
- *  overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
+/** Return 1 if the slice must return at once. Called after an update, and after a read that may
+ * overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
 #define redcc_is_finished(it) redcc_slice_finished(it)
 #define redcc_is_outdated(it, source) redcc_slice_outdated(it, source)
 
