@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Orders of rows and iterations that improve locality, for a program that may renumber its mesh.
- * First it orders the rows, by the graph of the iterations that update them or along a curve
- * through their points; then the iterations, by their rows.
+ * The program first orders its rows, by the graph of the iterations that update them or along a
+ * curve through their points. Then it orders the iterations by their rows.
  *
  * An order is a permutation new_of_old: record i becomes record new_of_old[i].
  * redcc_reorder_records moves data from one order to another, and back.
@@ -29,8 +29,9 @@ extern "C" {
 #endif
 
 /**
- * Orders rows by reverse Cuthill-McKee: rows that one iteration updates are neighbours.
- *   trip, touches   number of iterations, and of rows that each of them updates
+ * Orders rows by reverse Cuthill-McKee: in the graph, the rows that one iteration updates are
+ * neighbours.
+ *   trip, touches   number of iterations; number of rows that each iteration updates
  *   row             [trip * touches] these rows: 0 <= row < rows
  *   new_of_old      [rows] the result
  */
