@@ -418,7 +418,7 @@ void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double s
 
 /* ---- enter, join, leave ---------------------------------------------------------------------- */
 
-/* Fills the call, so that its threads can join the execution. */
+/* Fills the call, so that threads can join the execution. */
 static int hand_over(struct execution *execution, redcc_call *call) {
     const int threads = execution->call.asked;
     redcc_find_plan(execution);
@@ -450,7 +450,8 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
                  int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
-    const bool forked = redcc_is_forked(); /* must precede any use of the parent's memory */
+    const bool forked =
+        redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
@@ -505,7 +506,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     return hand_over(execution, call);
 }
 
-/* Preserves errno: the loop must find the caller's value, whichever thread executes it. */
+/* Preserves errno: the loop must find the caller's value, in whichever thread it is executed. */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     return redcc_enter_sectioned(call, loop, trip, bases, known, key, NULL, threads, nested);
@@ -538,7 +539,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     if (number == 0) {
         redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
-        /* with one thread, only a dry run is so long that a user may wait for its end */
+        /* with one thread, only a dry run takes so long that a user may be waiting for its end */
         if (!execution->advice.alone || execution->call.request.sections || is_dry)
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
