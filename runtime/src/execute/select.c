@@ -91,7 +91,8 @@ static uint64_t all_if(bool is_set) {
     return is_set ? UINT64_MAX : 0;
 }
 
-/* The classes may be in random order: so this branches for each run, not for each iteration. */
+/* The classes may be in random order. Therefore this function branches once for each run, not for
+ * each iteration. */
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations) {
     const redcc_int count = worker->last - worker->first;
