@@ -432,8 +432,7 @@ bool redcc_may_be_tiled(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     const struct partition *partition = &inspection->partition;
     for (uint32_t array = 0; array < partition->array_count; array++)
-        if (partition->group_of[array] !=
-            array) /* arrays overlap: an element of one is also an element of the other */
+        if (partition->group_of[array] != array) /* arrays overlap: two share an element */
             return false;
     return call->request.loop->flags & REDCC_TILES && redcc_can_be_tiled(call->request.trip);
 }

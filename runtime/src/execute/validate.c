@@ -45,8 +45,7 @@ static bool hold(struct held *held, char *place, size_t bytes) {
     if (!memory)
         return false;
     memcpy(memory, place, bytes);
-    if (held->memory) /* the loop has written to this range since it was saved, so the saved bytes
-                         are copied back */
+    if (held->memory) /* the loop has written to this range since it was saved */
         memcpy(memory + (held->place - place), held->memory, held->bytes);
     redcc_memory_free(held->memory);
     held->memory = memory;

@@ -73,7 +73,7 @@
  * allocate a page for it. Reading and comparing a byte takes a third to a half of this (0.05 to
  * 0.07 ns). */
 #define LEARN_BYTE 0.15e-9
-/** Tracking a page in vain: protecting it takes 0.1 microseconds, and the first write to it 1.3
+/** Useless tracking of a page: protecting it takes 0.1 microseconds, and the first write to it 1.3
  * microseconds. Comparing its 4096 bytes would take 0.12 microseconds (35 GB/s). */
 #define LEARN_PAGE 1.45e-6
 /** The slowdown when threads run in parallel: 1.05 to 1.4 by contention, 1.15 if the rows of an
