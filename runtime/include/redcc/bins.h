@@ -13,11 +13,11 @@
  *                                   iterations that could not be binned
  *
  * Iterations may be pushed more than once: the records of the earlier attempt are discarded. So a
- * loop has this form only if executing its body twice leaves the same state as executing it once,
- * and if the body may run before its reads are compared with its writes. For this, its addresses,
- * divisors and bounds of inner loops must come from memory that is proved disjoint from the
- * reduction arrays. Its other reads are in the loop's sources. A loop with any other body is marked
- * REDCC_BINS_CHECKED.
+ * loop has this form only if executing its body twice leaves the same state as executing it once.
+ * The body must also be able to run before its reads are compared with its writes. For this, its
+ * addresses, divisors and bounds of inner loops must come from memory that is proved disjoint from
+ * the reduction arrays. Its other reads are in the loop's sources. A loop with any other body is
+ * marked REDCC_BINS_CHECKED.
  *
  * Like runtime.h, this header includes no system header and compiles as C89 with GNU extensions.
  */

@@ -2,7 +2,7 @@
 /**
  * An `omp for` loop, which all threads of a team reach, executed without its directive. The threads
  * form a crew: the first one executes the loop, and the others wait and help to execute its
- * parallel regions. In the text below no parenthesis follows a member's name, because the program
+ * parallel regions. In the macros below no parenthesis follows a member's name, because the program
  * may define a macro of that name.
  */
 #ifndef REDCC_CREW_H

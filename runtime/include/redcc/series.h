@@ -3,9 +3,8 @@
  * Sums of floating scalars in inner loops, `e += f(i, j)`. The number of operands of an iteration
  * is not known in advance, and they must be added in the order of the sequential loop. Each thread
  * appends the operands of the iterations that it executes to its own list. At the end the first
- * thread adds them in the order of the iterations. With tiles, the thread of a band of rows adds
- * the band's operands when it has executed the band, and after the operands of the band above were
- * added.
+ * thread adds them in the order of the iterations. With tiles, the thread that has executed a band
+ * of rows adds the band's operands, once those of the band above were added.
  *
  *     redcc_run               one thread    allocates a part for each iteration (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed

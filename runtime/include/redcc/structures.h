@@ -192,8 +192,9 @@ enum {
      * All updates are inside it. */
     REDCC_SECTIONED = 16777216,
     /** An update might change a value that the executor reads before the loop (the bound of its
-     * counter, the copy of a variable), or an element that is stored after it. So no update may be
-     * made, not even in sequential order, before it is known that no update does this. */
+     * counter, the copy of a variable). Or it might change an element that is stored after the
+     * loop. So no update may be made, not even in sequential order, before it is known that no
+     * update does this. */
     REDCC_WHOLE = 33554432,
     /** Iterations are heavy, so the first ones may be executed in order before the loop is
      * inspected. The other iterations are executed as the same loop with a later first iteration.

@@ -2,7 +2,7 @@
 /**
  * Detects memory that has several addresses. A file, a System V segment or anonymous shared memory
  * may be mapped at several addresses. Owners, plans, bins and the overlap guard identify memory by
- * its address, so a loop may run in parallel only if each byte that it touches has one address.
+ * its address. So a loop may run in parallel only if each byte that it touches has one address.
  * Private mappings satisfy this, because writes to them are not visible in other mappings of the
  * file.
  */

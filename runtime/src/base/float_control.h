@@ -3,7 +3,7 @@
  * The part of a thread's state that affects its results:
  *
  * - Floating point: the rounding direction, flushing of subnormal numbers, exceptions that trap.
- *   fenv.h has no names for most of these, and needs libm.
+ *   fenv.h has no names for most of these, and its functions need libm.
  * - Locale: it classifies characters and affects the reading of numbers. uselocale sets it per
  *   thread, and a thread keeps the tables of setlocale that it used first.
  * - Memory: access rights by protection keys.

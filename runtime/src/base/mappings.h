@@ -24,13 +24,13 @@ bool redcc_is_confined(void);
  * waits for all processors: 5 to 20 ms in a process with threads. */
 int redcc_descriptor_room(void);
 
-/** Does the machine have a device whose driver may migrate pages to the device's own memory and
- * bring them back modified without the processor's page tables showing it? */
+/** Does the machine have a device whose driver may move pages to the device's own memory and bring
+ * them back modified? The processor's page tables would not show that. */
 bool redcc_has_accelerator(void);
 
 /** Would the processor's page tables show every write to `pages`? True only if all of the pages lie
- * in private memory without a file, and nothing that the process has pinned, mapped or opened may
- * write to its memory in another way. (Devices, mapped sockets and queues, and a userfault
+ * in private memory without a file, and nothing else may write to the process's memory: nothing
+ * that it has pinned, mapped or opened. (Devices, mapped sockets and queues, and a userfault
  * descriptor other than `own` may do so.) Sets *found to the mappings that contain the pages. */
 bool redcc_may_watch(struct mappings *found, struct range pages, int own);
 

@@ -14,8 +14,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Blocks every signal in the calling thread except those that its own instructions raise, and the
- * signal by which the C library changes the user id of all threads. Also blocks asynchronous
+/** Blocks signals in the calling thread. Exceptions are those that its own instructions raise, and
+ * the signal by which the C library changes the user id of all threads. Also blocks asynchronous
  * cancellation of the thread. Returns the previous mask, for redcc_signals_release. */
 uint64_t redcc_signals_hold(void);
 
@@ -23,8 +23,8 @@ uint64_t redcc_signals_hold(void);
 void redcc_signals_release(uint64_t before);
 
 /** Called in the threads of a region for which OpenMP may have created threads. A thread that was
- *  created while signals were blocked (recognised by the real-time signals, which are all blocked)
- *  blocks all signals from now on, including those with default actions. */
+ * created while signals were blocked is recognised by the real-time signals, which are all blocked
+ * in it. From now on it blocks all signals, including those with default actions. */
 void redcc_signals_take_over(void);
 
 /** Is the calling thread in a signal handler, which may have interrupted it in malloc or in

@@ -65,7 +65,7 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
     redcc_system_close(file);
 }
 
-#ifdef SYS_mmap2 /* mmap2 takes the offset in pages, but these mappings have no offset */
+#ifdef SYS_mmap2 /* mmap2 takes the offset in pages, but the offset of these mappings is 0 */
 #define MAP_CALL SYS_mmap2
 #else
 #define MAP_CALL SYS_mmap

@@ -23,8 +23,8 @@ int redcc_team_prepare(int threads, uint64_t before);
  * If they were bound in a first loop of some microseconds, that would take longer than the loop. */
 void redcc_team_bind(void);
 
-/** Is the calling thread within an execution? If so, a loop that begins now is called by the body
- * of the loop that is executed, or by a signal handler, which may find locks held. */
+/** Is the calling thread within an execution? If so, a loop that begins now was called by the body
+ * of that loop, or by a signal handler, which may find locks held. */
 extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 
 /** Must threads be created for a region of `threads` threads? */
@@ -44,9 +44,9 @@ int redcc_team_to_start(int threads);
  * region of the runtime, so this function opens one if it finds unknown threads. */
 bool redcc_team_is_alone(void);
 
-/** Do all threads of the process belong to the calling thread's OpenMP team or to idle ones? All
- * threads of the team must have registered and reached the same loop. False in nested regions.
- * Outside of regions this is redcc_team_is_alone. */
+/** Is each thread of the process a thread of the calling thread's OpenMP team, or an idle thread of
+ * OpenMP? All threads of the team must have registered and reached the same loop. False in nested
+ * regions. Outside of regions this is redcc_team_is_alone. */
 bool redcc_team_has_met(void);
 
 /** Called by each thread of an OpenMP region except the first: registers it as a thread of OpenMP.

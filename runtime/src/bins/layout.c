@@ -2,7 +2,8 @@
 /**
  * The size of rounds. They are as large as memory permits, because a round loads each line of the
  * updated arrays from memory and stores it once. The records of all threads may take 0.6 times the
- * bytes of the arrays plus 64 MiB, or plus 512 MiB if the loop must be one round.
+ * bytes of the arrays plus 64 MiB. If the loop must be one round, they may take 512 MiB instead of
+ * 64.
  */
 #include "bins/binning.h"
 

@@ -137,8 +137,8 @@ void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, doub
         it->met[size][arm] = true;
         return;
     }
-    if (arm !=
-        redcc_arm_of(pace->timed)) { /* one thread was not tried, because all together took long */
+    if (arm != redcc_arm_of(pace->timed)) { /* `arm` is not the next one: one thread was not tried,
+                                               because the executions took long */
         if (arm == 1 || seconds / (double)trip > pace->least[0])
             return;
         *pace = (struct paired_timing){0};

@@ -4,8 +4,8 @@
  * any order, and names all elements that are updated, so that no inspection is needed. The
  * iterations are divided into N shares. The first share updates the arrays, each later share
  * updates a copy, and the copies are merged in order. N depends on the loop, its trip count, the
- * size of the sections and REDCC_MEMORY_LIMIT, but never on threads, time or free memory, so that
- * all executions give the same bits. Only the number of threads is learned.
+ * size of the sections and REDCC_MEMORY_LIMIT. It never depends on threads, time or free memory, so
+ * that all executions give the same bits. Only the number of threads is learned.
  */
 #ifndef REDCC_CHOOSE_SECTIONS_H
 #define REDCC_CHOOSE_SECTIONS_H

@@ -10,8 +10,8 @@
 enum {
     TIMED =
         16, /* number of timed iterations per thread, so few that their data stay in the caches */
-    PASSES = 3 /* number of passes over these iterations: the first pass loads their data, another
-                  may be interrupted */
+    PASSES = 3 /* number of passes over these iterations: the first pass loads their data, and one
+                  of the others may be interrupted */
 };
 
 /* Do auto's estimates need the time of the slice? No if owners are kept from an earlier execution,

@@ -57,9 +57,9 @@
 /** Seconds of a sample: 256 iterations of some touches. Starting threads takes as long on an idle
  * machine (0.1 to 0.4 ms), and ten times as long on a busy one (2 to 6 ms). */
 #define LEARN_SAMPLE 0.4e-3
-/** The number of iterations of that sample. A loop that cannot be inspected and has at least the
- * square of this number of iterations is tried in bins in its first execution, with a 16th of its
- * iterations. At 10 ns or more per iteration, an execution takes 0.7 ms or more. */
+/** The number of iterations of that sample. A loop that cannot be inspected, and whose trip count
+ * is at least the square of this number, is tried in bins in its first execution, with a 16th of
+ * its iterations. At 10 ns or more per iteration, an execution takes 0.7 ms or more. */
 #define LEARN_SAMPLED 256
 /** Recording a touch, if the iteration has the same owners as the iteration before. Beginning a run
  * of iterations takes three times as long, and logging a touch seven times. */

@@ -178,8 +178,8 @@ static bool goes_without_plan(const struct choice *c) {
 }
 
 /* Seconds that a sample takes. Until a dry run was timed, it is assumed to take as long as an
- * execution, or a 16th of that in a loop that needs no plan. (0.05 was measured in loops over
- * blocks.) A deadline ends a longer dry run. */
+ * execution. In a loop that needs no plan, it is assumed to take a 16th of that. (0.05 was measured
+ * in loops over blocks.) A deadline ends a longer dry run. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
     const double dry =

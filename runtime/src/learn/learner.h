@@ -9,8 +9,8 @@
  *
  * The learner uses no clock, no threads and no memory of its own: times come with the observations.
  * Any action that may take longer than the sequential loop is paid from the credit. The credit is a
- * 32nd of the loop's time so far, plus past gains, plus at most one overdraft, which is for a plan
- * that is expected to repay it soon. It is used by one thread at a time.
+ * 32nd of the loop's time so far, plus past gains, plus at most one overdraft. An overdraft is
+ * allowed for a plan that is expected to repay it soon. It is used by one thread at a time.
  */
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H

@@ -135,8 +135,8 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
     }
 }
 
-/* How the number of iterations on the wrong side of the cut changes if the cut moves from before a
- * point of an iteration with this label to after it. */
+/* Suppose that the cut moves from before a point to after it. Returns by how much the number of
+ * iterations on the wrong side of the cut changes, if the point's iteration has this label. */
 static long change_beyond(struct label label, uint32_t owner) {
     return label.low > label.high ? 0 : (label.low >= owner) - (label.high < owner);
 }

@@ -36,10 +36,10 @@ bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first);
 void redcc_sample_end(struct sample *sample);
 
 /** Adds `count` touches at intervals of `step` bytes. A full sample drops about half of its items,
- * and from then on samples half as many touches, so that loops with thousands of touches per
- * iteration are also sampled evenly. Items are selected by a quasirandom sequence over iteration
- * and touch. Every n-th touch might always be of the same array, and a hash would leave more items
- * in one part than in another. */
+ * and from then on samples half as many touches. So loops with thousands of touches per iteration
+ * are sampled evenly, too. Items are selected by a quasirandom sequence over iteration and touch.
+ * Every n-th touch might always be of the same array, and a hash would leave more items in one part
+ * than in another. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, uint32_t count,
                       uint32_t step);
 

@@ -39,9 +39,9 @@ struct plan {
                            array's base */
     struct offsets
         *touched; /* [array_count] the touched range of each group, relative to the group's base */
-    ptrdiff_t *bound; /* [array_count * (owners + 1)] owner o has the bytes of group g from bound[g
-                         * (owners + 1) + o] to the next bound, relative to the group's base; unused
-                         with a map */
+    /* [array_count * (owners + 1)] owner o has the bytes of group g from bound[k] to bound[k + 1],
+     * where k = g * (owners + 1) + o, relative to the group's base; unused with a map */
+    ptrdiff_t *bound;
     struct owner_map map;
     struct schedule
         *schedule; /* [schedules] one for each thread; with stealable blocks, one for each owner */
@@ -62,8 +62,9 @@ static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
     return (uint32_t)thread * (plan->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/** The stealable schedule that is taken after `claimed` others. The first ones of all threads,
- * which are the largest, are taken before the second ones. UINT32_MAX: all are taken. */
+/** The stealable schedule that is taken after `claimed` others. The first stealable schedules of
+ * all threads, which are the largest, are taken before the second ones. UINT32_MAX: all are taken.
+ */
 static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_t claimed) {
     const uint32_t threads = (uint32_t)plan->threads;
     if (claimed >= plan->schedules - threads)

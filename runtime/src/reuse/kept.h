@@ -77,9 +77,9 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
  * reuse->found and reuse->sources. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
-/** For each strategy, sets its bit in *fits if redcc_reuse_find would find a plan of it, and its
- * bit in *changed if only the sample rules out its plan. If no plan fits, and the sample now rules
- * out the plan used last, sets reuse->changed_source. */
+/** Sets the bit of a strategy in *fits if redcc_reuse_find would find a plan of it. Sets the bit in
+ * *changed if only the sample rules out the strategy's plan. If no plan fits, and the sample now
+ * rules out the plan used last, sets reuse->changed_source. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of reuse->found unchanged? Every thread calls this function with its hasher

@@ -6,8 +6,8 @@
  *
  * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
  * that touches both ends (an iteration with more than four units adds a ring of edges). Each thread
- * builds the edges of its share of the nodes, from all threads' access logs in the order of the
- * loop, so that the graph is independent of the number of threads.
+ * builds the edges of its share of the nodes from all threads' access logs, in the order of the
+ * loop. So the graph is independent of the number of threads.
  */
 #ifndef REDCC_NEIGHBOURS_H
 #define REDCC_NEIGHBOURS_H

@@ -6,8 +6,8 @@
 
 /**
  * Fills the schedule of `thread` for DWA-LIP (dwa_lip.c) within its team. Of the iterations that
- * the team's threads inspected, the thread gets those whose lowest block belongs to it. They are in
- * the stages of figure 10 of the paper (docs/paper.md). False: out of memory.
+ * the team's threads inspected, the thread gets those whose lowest block belongs to it. The
+ * schedule has the stages of figure 10 of the paper (docs/paper.md). False: out of memory.
  */
 bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
