@@ -139,8 +139,8 @@ bool redcc_report_validation(void);
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 
-/** Called when the settings are read. Seconds and lost cores of the report are counted from here.
- */
+/** Called when the settings are read. The report counts seconds and preemptions from then
+ * on. */
 void redcc_report_begin(void);
 
 /** Should the report advise the user to set OMP_WAIT_POLICY=passive, because cores were preempted

@@ -184,9 +184,9 @@ static void read_memory_limit(const char *value) {
         settings.memory_limit = 1; /* a limit that permits nothing, since 0 would mean no limit */
 }
 
-/* Replaces no method by LOCALWRITE under validation: every loop must run in parallel if possible,
- * from its first call on. Auto would begin with the sequential loop and, in a short program, not
- * change to another. */
+/* Under validation, selects LOCALWRITE if no method is named: every loop must run in parallel if
+ * possible, from its first call on. Auto would begin with the sequential loop and, in a short
+ * program, not change to another. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;

@@ -31,7 +31,7 @@
 #define REDCC_UNFUSED_BLOCK
 #endif
 
-/* gcc warns about 2 ^ 5 in generated text, but not in the macro's expansion that it replaces. gcc
+/* gcc takes 2 ^ 5 in generated text for a mistaken power, but not in the expansion of a macro. gcc
  * also warns about more uninitialised variables the more code it inlines. */
 #if defined __GNUC__ && !defined __clang__ && __GNUC__ >= 13
 #define REDCC_QUIET_GCC                                                                            \
@@ -93,7 +93,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
 
 /** Executes a statement twice: for the rows that the first iteration reads, and for those that the
- * last reads. REDCC_FIRST_OR_LAST is the counter of that iteration. */
+ * last reads. REDCC_FIRST_OR_LAST is the counter of the iteration at hand. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
 #define REDCC_FIRST_OR_LAST(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 

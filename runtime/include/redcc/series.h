@@ -6,13 +6,13 @@
  * thread adds them in the order of the iterations. With tiles, the thread that has executed a band
  * of rows adds the band's operands, once those of the band above were added.
  *
- *     redcc_run               one thread    allocates a part for each iteration (redcc_attempt)
+ *     redcc_run               one thread    allocates a table of the iterations (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_REPEATS    each thread   when nothing is left to execute. If there was no memory
- * for an operand, the first thread executes all iterations a second time, without updates, and adds
- *                                           the operands directly
+ *     REDCC_SERIES_REPEATS    each thread   when nothing is left to execute. If memory was short,
+ *                                           the first thread executes all iterations again: it
+ *                                           makes no updates, but adds the operands directly
  *     REDCC_SERIES_BANDS      each thread   after each tile
  *     series->is_over         each thread   1: it is the first thread, and the loop is done
  *     REDCC_SERIES_APPLY      that thread   adds the operands
@@ -23,11 +23,11 @@
 #ifndef REDCC_SERIES_H
 #define REDCC_SERIES_H
 
-/** A block of the operands of one iteration, in order. */
+/** A part of the operands of one iteration, in their order. They lie one after the other. */
 struct redcc_series_part {
     struct redcc_series_part *more; /**< the operands that follow; NULL: none */
     redcc_size count;
-    double value[1]; /**< `count` operands, once the block is complete; a float is stored as a
+    double value[1]; /**< `count` operands, once the part is complete; a float is stored as a
                         double */
 };
 
@@ -36,7 +36,7 @@ struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
     redcc_series_part
-        *part;     /**< the last block of the current iteration; NULL: the iteration has none yet */
+        *part;     /**< the last part of the current iteration; NULL: the iteration has none yet */
     double *begin; /**< the first operand in `part`; NULL: the part is complete */
     double *at, *end;  /**< address for the next operand, and the end of the free memory there */
     double *block_end; /**< the end of the memory block that `at` points into */
@@ -47,7 +47,7 @@ struct redcc_series_writer {
                           operands directly */
     int added;         /**< the thread has added an operand */
     redcc_int next;    /**< operands of this iteration and later ones are stored */
-    redcc_series_part **ends; /**< in tiles: the last block of each iteration of the band */
+    redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
     struct operand_block *first,
         *block; /**< the thread's memory blocks: the first one, and the one that `at` points into */
 };
@@ -78,7 +78,7 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
-/** Begin and end the part of an iteration that is in a tile. */
+/** Begin and end that stretch of an iteration which lies in the current tile. */
 #define REDCC_SERIES_RESUME(redcc_writer)                                                          \
     ((redcc_writer).part =                                                                         \
          redcc__tile->is_first ? 0 : (redcc_writer).ends[redcc__k - redcc__tile->row],             \
@@ -164,7 +164,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         if (!(redcc_writer).adds || (redcc_writer).in_front) {                                     \
             if (!(redcc_writer).added)                                                             \
                 redcc_own = (redcc_is_set) ? redcc_sum : redcc_scalar;                             \
-            /* if it is set, bands have added the operands */                                      \
+            /* if redcc_is_set, the bands have added the operands */                               \
             while (!(redcc_is_set) &&                                                              \
                    (redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
                        0)                                                                          \

@@ -344,7 +344,7 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
     } while (0)
 
 /** Are the chunk's updates made on private copies, by redcc_update? Otherwise redcc_push records
- * them. The answer is the same for all streams. It is yes only if each stream is `exact`. */
+ * them. The answer is the same for all streams. It is yes only if each stream is exact. */
 #define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
 /** Writes `bytes` bytes, which are whole cache lines. Uses non-temporal stores on x86-64. */

@@ -311,8 +311,8 @@ typedef struct redcc_entry {
 typedef struct redcc_tile {
     redcc_int row, row_end;
     redcc_int column, column_end;
-    int is_first; /**< the first tile of its rows */
-    int is_last;  /**< the last tile of its rows, with all inner iterations from `column` on */
+    int is_first; /**< it is the first tile of its rows */
+    int is_last;  /**< it is the last one, with all inner iterations from `column` on */
 } redcc_tile;
 
 /** How a chunk is executed; it does not affect the result. */
@@ -410,7 +410,7 @@ typedef struct redcc_binned {
 
 struct redcc_bin_buffer;
 
-enum { REDCC_PAGE = 4096 }; /* bytes; the system's pages are at least as large */
+enum { REDCC_PAGE = 4096 }; /* in bytes; the system's pages are at least as large */
 #define REDCC_NO_PAGE (~(redcc_size)0)
 
 /** One thread's bins of one stream. Constant while a chunk is executed, so that generated code may

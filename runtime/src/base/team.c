@@ -63,7 +63,7 @@ struct team {
 static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
 
 void redcc_team_bind(void) {
-    if (!GOMP_parallel || __kmpc_fork_call) /* a call would initialise LLVM's library */
+    if (!GOMP_parallel || __kmpc_fork_call) /* the calls would initialise LLVM's library */
         return;
     if (omp_in_parallel)
         omp_in_parallel();

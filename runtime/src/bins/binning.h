@@ -156,7 +156,7 @@ static inline uintptr_t redcc_row_address(const struct binning *binning, const r
 /* ---- layout.c -------------------------------------------------------------------------------- */
 
 /** Cuts windows and allocates memory for rounds of the remaining iterations, according to the known
- * properties of the streams; Called by the thread that entered the loop. Returns REASON_NONE or the
+ * properties of the streams. Called by the thread that entered the loop. Returns REASON_NONE or the
  * reason of failure. */
 enum reason redcc_bins_lay_out(struct binning *binning);
 

@@ -10,9 +10,9 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* number of iterations between two checks whether the round has failed; if it
-                       were smaller, fewer of the missing rows and records would be counted when a
-                       check finds the failure */
+    CHUNK = 16384,  /* number of iterations between two checks whether the round has failed. With
+                       fewer, the check that finds the failure would have counted less of the
+                       memory that is missing */
     STRETCHES = 64, /* maximum number of measured stretches per thread */
     STRETCH = 64,   /* maximum number of iterations of a measured stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */

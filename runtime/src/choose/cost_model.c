@@ -4,8 +4,8 @@
 #include <assert.h>
 
 /* The time of an execution by owners, relative to that of the original loop. Loops with irregular
- * rows that are prefetched take 0.42 to 0.57. With lanes one thread takes 0.3 to 0.9. That is worth
- * a plan construction from the credit, but not an overdraft. */
+ * rows that are prefetched take 0.42 to 0.57. With lanes one thread takes 0.3 to 0.9. The credit
+ * may be spent on such a gain, but no overdraft is allowed for it (learn/learner.h). */
 static double by_owners(const struct findings *it) {
     const double waiting = it->fetched ? LEARN_CLEAR * LEARN_BETTER : 1;
     return waiting * (it->threads > 1 ? LEARN_CONTENDED

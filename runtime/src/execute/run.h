@@ -57,8 +57,8 @@ struct runner {
     const struct plan *plan; /* the plan that is executed */
     int thread;
     int threads;
-    struct float_control float_control; /* the thread's own state, while it uses that of the thread
-                                           that entered the loop */
+    struct float_control float_control; /* the thread's own settings, while it uses those of the
+                                           thread that entered the loop */
     enum step step;
     uint32_t schedule; /* index of the schedule that is being executed */
     uint32_t stage;    /* the current stage of the plan */

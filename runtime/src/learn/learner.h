@@ -10,7 +10,7 @@
  * The learner uses no clock, no threads and no memory of its own: times come with the observations.
  * Any action that may take longer than the sequential loop is paid from the credit. The credit is a
  * 32nd of the loop's time so far, plus past gains, plus at most one overdraft. An overdraft is
- * allowed for a plan that is expected to repay it soon. It is used by one thread at a time.
+ * allowed for a plan that is expected to repay it soon. One thread at a time decides for a loop.
  */
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H

@@ -95,7 +95,7 @@ enum {
             for (size_t copy = 0; copy < copies; copy++)                                           \
                 bring_##NAME(&element[i], ((const TYPE *)from[copy])[i], limit);                   \
     }                                                                                              \
-    /* Drains one piece of one copy. */                                                            \
+    /* Merges one piece of one copy, and makes the piece neutral again. */                         \
     VECTORISED static void drain_piece_##NAME(TYPE *restrict to, TYPE *restrict from,              \
                                               size_t count, redcc_word limit) {                    \
         (void)limit;                                                                               \

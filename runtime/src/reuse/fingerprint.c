@@ -47,7 +47,7 @@ static inline uint64_t load(const char *data, int word) {
     lane = rotate((lane ^ load(data, i)) * FIRST, 32) + load(data, (i) ^ 1)
 
 /* Hashes `stripes` stripes at `data`. The lanes are separate variables, not an array, because only
- * then compilers keep them in registers at -O2. This is three times as fast. */
+ * then do compilers keep them in registers at -O2, which is three times as fast. */
 static void take_in(uint64_t lane[LANES], const char *data, size_t stripes) {
     uint64_t a = lane[0], b = lane[1], c = lane[2], d = lane[3];
     uint64_t e = lane[4], f = lane[5], g = lane[6], h = lane[7];

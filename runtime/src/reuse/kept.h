@@ -29,7 +29,7 @@ struct source_record {
 struct kept_plan {
     struct plan *plan;
     redcc_word *key;                    /* [key_count] */
-    struct float_control float_control; /* state of the thread that entered the loop, because
+    struct float_control float_control; /* settings of the thread that entered the loop, because
                                            subscripts may depend on the rounding mode */
     struct source_record *source;       /* [source_count] */
     uint64_t sampled;                   /* the value of reuse->sampled when the plan was built */

@@ -70,7 +70,7 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
  * function, and get the same result. seen [array_count] belongs to the thread. */
 enum divide_result redcc_divide(struct divide *divide, int thread, struct range *seen);
 
-/** Joins stealable blocks to the owners before them, after the same was done in the partition. All
+/** Joins stealable blocks to the owners before them, after they were joined in the partition. All
  * threads call this function, and get the same result. */
 enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen);
 

@@ -3,7 +3,7 @@
  * Partially expanded DWA-LIP: there are N copies of the arrays, the first of which is the arrays
  * themselves. The threads form N teams. Each team executes its share of the iterations by DWA-LIP
  * on its own copy, which is cut into one block per thread of the team. This gives fewer blocks,
- * fewer stages, fewer conflicts.
+ * fewer stages and fewer conflicts.
  */
 #include "plan/methods/dwa_lip.h"
 
