@@ -10,14 +10,14 @@
  *     #define REDCC_ARRAYS n           entries of NAME_arrays
  *     #define REDCC_SOURCES n          entries of NAME_sources; 0: there is no NAME_sources
  *   Options:
- *     #define REDCC_COUNTER type       of the counter; int if not defined
- *     #define REDCC_STEP expression    the counter's increment; 1. It may use `loop`.
- *     #define REDCC_KEYS n             number of redcc_depends_on in the description; 0
+ *     #define REDCC_COUNTER type       of the counter; default: int
+ *     #define REDCC_STEP expression    the counter's increment; default: 1. It may use `loop`
+ *     #define REDCC_KEYS n             number of redcc_depends_on in the description; default: 0
  *     #define REDCC_FLAGS flags        of structures.h. REDCC_VERIFIABLE, the default: rows depend
  *                                      only on what parallel.h lists, so that a plan may be reused.
  *                                      For short iterations without loops:
  *                                      REDCC_VERIFIABLE | REDCC_LIGHT
- *     #define REDCC_ORDERED order      how the result may differ (redcc_order); REDCC_ORDER_SERIAL
+ *     #define REDCC_ORDERED order      how the result may differ; default: REDCC_ORDER_SERIAL
  *     #define REDCC_STREAMS            NAME_streams is defined
  *     #define REDCC_NAMED bits         with NAME_streams: bit s if source s is given by
  *                                      redcc_reads_named, is no subscript, and may overlap an

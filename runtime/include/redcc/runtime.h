@@ -61,8 +61,7 @@
 #include <redcc/entry.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
-                     */
+#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the shared library hides all other names */

@@ -56,7 +56,7 @@ redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     unsigned seen = from != into || to != end ? REDCC_CLASS_OTHERS : 0;
     redcc_size unit, last;
     if (into >= owner->size && end - 1 >= bytes - 1)
-        return REDCC_CLASS_OTHERS; /* completely before or behind the map */
+        return REDCC_CLASS_OTHERS; /* completely before or after the map */
     last = redcc_unit_number(owner, to - 1);
     for (unit = redcc_unit_number(owner, from); unit <= last; unit++)
         seen |= owner->map[unit] == owner->self ? REDCC_CLASS_OWN : REDCC_CLASS_OTHERS;

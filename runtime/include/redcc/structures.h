@@ -171,7 +171,7 @@ enum {
     REDCC_SHORT = 32768,
     /** The slice is written by hand: REDCC_VALIDATE checks that it names all updated rows. */
     REDCC_BY_HAND = 65536,
-    /** An assertion in a function that its slice calls may end the program. */
+    /** The slice calls a function with an assertion, which may end the program. */
     REDCC_MAY_ABORT = 131072,
     /** In the owner-checked form, iterations skip parts of the body that update no element of the
      * thread. */
@@ -197,8 +197,7 @@ enum {
      * update does this. */
     REDCC_WHOLE = 33554432,
     /** Iterations are heavy, so the first ones may be executed in order before the loop is
-     * inspected. The other iterations are executed as the same loop with a later first iteration.
-     */
+     * inspected. The others are executed as the same loop with a later first iteration. */
     REDCC_BEGINS = 67108864,
     /** The slice records the rows of inner loops as blocks, so that an inspection is short even if
      * iterations are heavy. */

@@ -33,8 +33,8 @@ static void by_copies(const struct findings *it, struct arm *arm) {
                      it->copied * (it->reusable ? LEARN_BYTE : 4 * LEARN_BYTE) / trip;
 }
 
-/* Estimates owners by address. Iterations whose owners differ from those of the iteration before
- * must be distinguished, and check the owner of each row that they write. */
+/* Estimates owners by address. An iteration whose owners differ from those of the iteration before
+ * costs more: it begins a new run, and checks the owner of each row that it writes. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
     const double swept = recording(it) + it->runs * 2 * LEARN_ROW;

@@ -116,8 +116,8 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* The number of representable values between the two. Interpreted as integers, floats are in their
- * order. */
+/* The distance of two floating-point values, in representable values. Their bits, read as
+ * integers, have the order of the values; in reverse if both are negative. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \
