@@ -194,7 +194,7 @@ enum {
     /** An update might change a value that the executor reads before the loop (the bound of its
      * counter, the copy of a variable). Or it might change an element that is stored after the
      * loop. So no update may be made, not even in sequential order, before it is known that no
-     * update does this. */
+     * update does so. */
     REDCC_WHOLE = 33554432,
     /** Iterations are heavy, so the first ones may be executed in order before the loop is
      * inspected. The others are executed as the same loop with a later first iteration. */
