@@ -260,7 +260,7 @@ REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, re
 REDCC_INLINE void *redcc_row_of(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     switch (it->mode) {
     case REDCC_PLAIN:
-#if !defined(__clang__) /* else gcc recomputes &row[c] for each c: 8 % of the example springs.c */
+#if !defined(__clang__) /* else gcc recomputes &row[c] for each c: 8 % of the time of springs.c */
         __asm__("" : "+r"(row));
 #endif
         return row;

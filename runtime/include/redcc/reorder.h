@@ -53,8 +53,8 @@ int redcc_reorder_points(int count, int dimensions, const double *point, int *ne
 int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_old);
 
 /**
- * Permutes records of `bytes` bytes each: record i moves to new_of_old[i]; if `back` is
- * set, it moves from there.
+ * Permutes records of `bytes` bytes each: record i moves to new_of_old[i] or, if `back` is
+ * set, from there to i.
  *   record       [count]
  *   new_of_old   [count] a permutation
  */

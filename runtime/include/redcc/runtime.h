@@ -7,8 +7,8 @@
  *  - redcc_enter, by one thread: may the loop run in parallel? with how many threads?
  *  - redcc_join, by each thread of the parallel region
  *  - redcc_inspect, by each thread: hands out blocks of iterations. What they touch is recorded by
- *    redcc_touch, redcc_read and redcc_iteration_done; or, while redcc_is_settled returns 1, it
- *    is compared by redcc_probe_touch, redcc_probe_read, ..._row and redcc_is_alike
+ *    redcc_touch, redcc_read and redcc_iteration_done; or, while redcc_is_settled returns 1,
+ *    it is compared by redcc_probe_touch, redcc_probe_read, ..._row and redcc_is_alike
  *  - redcc_next, by each thread: hands out chunks of iterations to execute
  *  - redcc_owns, in the owner-checked form of the body: may the thread make this update?
  *  - redcc_leave, by one thread. 1: the loop is done. 0: nothing was written; run the loop serially
@@ -72,9 +72,9 @@
  * Begins an execution of `loop`.
  *   trip     iterations, counted by the caller
  *   bases    [array_count] the first element of each array, or the target of the pointer to it. 0:
- *            the elements are reached through pointers in memory. They may then lie
- *            anywhere, memory between them does not belong to the array, and they stay in place
- *            while the subscripts (these pointers among them) are unchanged. Such an array needs
+ *            the elements are reached through pointers in memory. They may then lie anywhere, and
+ *            the memory between them does not belong to the array. They stay in place while the
+ *            subscripts (these pointers among them) are unchanged. Such an array needs
  *            REDCC_ORDER_NEEDED and REDCC_OTHER_TYPE.
  *   known    [source_count] address ranges that are known before the inspection, {base, 0} for the
  *            others
