@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Adds an execution to the report, and informs auto of its result. */
+/** Adds an execution to the report, and informs method `auto` of its result. */
 #include "loop.h"
 
 #include <assert.h>
@@ -60,14 +60,14 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
-    case REASON_SAVING: /* after a sample by one thread */
+    case REASON_SAVING: /* one thread has taken a sample */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;
     }
 }
 
-/* The strategy that the reason concerns; SEQUENTIAL: all strategies. */
+/* The strategy that the reason concerns; WAY_SEQUENTIAL: it concerns all strategies. */
 static enum way way_concerned(const struct execution *execution) {
     if (execution->call.in_bins)
         return WAY_BINS;
@@ -176,7 +176,8 @@ static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
     const bool built =
-        execution->inspected && !plan->method->selects; /* auto keeps no plans that select */
+        execution->inspected && !plan->method->selects; /* `auto` keeps no plans of methods that
+                                                           select iterations during execution */
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),
@@ -263,7 +264,8 @@ static void account_execution(struct execution *execution, double now) {
     }
 }
 
-/* Counts an execution in bins, even if the loop continued sequentially after some rounds. */
+/* Counts an execution in bins. It counts even if the rest of the loop was executed sequentially
+ * after some rounds. */
 static void account_binned(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;

@@ -20,11 +20,11 @@ enum {
     LEAST_TRIP = 64,
     PART = 64,      /* the first trip / PART iterations are timed */
     PIECES = 4,     /* number of pieces that are timed separately */
-    MOST_ARRAYS = 8 /* no translated loop has more */
+    MOST_ARRAYS = 8 /* no translated loop has more arrays */
 };
 
-/* Seconds of sequential time. Above this, the other iterations may repay the extra cost of a first
- * parallel execution: a sample, starting threads, and page faults. */
+/* A time in seconds. If the sequential loop takes longer, the other iterations may repay the extra
+ * cost of a first parallel execution: a sample, starting threads, and page faults. */
 static const double long_enough = 4 * LEARN_SAMPLE / LEARN_SHARE;
 
 /* The calling thread's state while it executes iterations in order. */
@@ -32,7 +32,7 @@ struct in_order {
     redcc_worker worker; /* must be first: the functions below convert a pointer to it */
     redcc_call call;
     redcc_calls calls;
-    redcc_owner owner[MOST_ARRAYS]; /* not used: no owner checks */
+    redcc_owner owner[MOST_ARRAYS]; /* unused, because no owner is checked */
     redcc_iterations run;
     redcc_int next, end, trip;
 };
@@ -86,8 +86,8 @@ void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_me
     execute(site, attempt, member, context, from, attempt->trip);
 }
 
-/* Is this the first execution, and may `auto` decide about it? No with an order other than
- * serial: with fixed, sums depend on which iterations are executed together. */
+/* Is this the first execution, and may `auto` decide about it? No with an order other than serial:
+ * with the order `fixed`, sums depend on which iterations are executed together. */
 static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
     if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))
@@ -108,7 +108,7 @@ static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc
 }
 
 /* Executes the first `count` iterations in pieces. Returns the seconds that `count` iterations take
- * at the speed of the fastest piece: the first piece includes page faults and cache misses. */
+ * at the speed of the fastest piece: the first piece is slowed by page faults and cache misses. */
 static double time_first(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                          const void *context, redcc_int count) {
     const redcc_int pieces = redcc_min(PIECES, count);

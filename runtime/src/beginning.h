@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The first execution of a loop with heavy iterations (REDCC_BEGINS), which may be long and the
- * only one. The calling thread executes some iterations in order and times them. If the loop will
- * take long, the other iterations are executed as a separate loop, whose sequential time is then
- * known.
+ * The first execution of a loop with heavy iterations (REDCC_BEGINS). It may take long, and it may
+ * be the only execution. The calling thread executes some iterations in order and times them. If
+ * the loop will take long, the other iterations are executed as a separate loop, whose sequential
+ * time can now be estimated.
  */
 #ifndef REDCC_BEGINNING_H
 #define REDCC_BEGINNING_H
@@ -18,13 +18,13 @@ struct beginning {
     redcc_word key[BEGINNING_KEYS];
 };
 
-/** If the loop was never executed before, executes and times the first iterations, perhaps all.
- * `threads`: the number of threads for the other iterations. */
+/** If the loop was never executed before, executes and times its first iterations, or all of them.
+ * `threads` is the number of threads for the other iterations. */
 void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
                           const redcc_attempt *attempt, redcc_member *member, const void *context,
                           int threads);
 
-/** Executes iterations `from` and later ones of `attempt` in order. */
+/** Executes the iterations of `attempt` from number `from` on, in order. */
 void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                         const void *context, redcc_int from);
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The pipeline's stage for binned loops: calls bins/, and returns to the other stages. */
+/** The pipeline's stage for binned loops. It calls bins/, and hands over to the other stages. */
 #include "loop.h"
 
 #include "base/clock.h"
 
 #include <errno.h>
 
-/* After the last round: redcc_next hands out the rest of the loop, or its repetition for
- * validation, to the first thread. */
+/* Called after the last round: redcc_next hands out to the first thread what remains of the loop,
+ * or the loop's repetition for validation. */
 static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;
@@ -31,8 +31,8 @@ void redcc_hold_written(void *execution, uint32_t array, struct range written) {
                           (struct written){array, written}, it->run.validated);
 }
 
-/* The first thread executes the iterations between two rounds; the others wait for it in the next
- * round. */
+/* The first thread executes the iterations between two rounds; the other threads wait for it in the
+ * next round. */
 static void stretch(struct thread_state *thread, redcc_worker *worker) {
     const struct round *round = &thread->execution->state->binning.round;
     const redcc_int begin = thread->thread == 0 ? round->begin : round->end;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A call of a loop: enter, join, leave. pipeline.h draws the stages between them. */
+/** A call of a loop: redcc_enter, redcc_join, redcc_leave. pipeline.h draws the stages between
+ * them. */
 #include "loop.h"
 
 #include "base/clock.h"
@@ -18,7 +19,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* Stops if an order named explicitly contradicts the named method. */
+/* Stops the program if an order named explicitly contradicts the named method. */
 static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
     const redcc_order order = redcc_order_of(loop, settings);
     if (!settings->method || settings->method->keeps <= order ||
@@ -30,31 +31,32 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
                loop->line, redcc_order_name(settings->method->keeps));
 }
 
-/* Do the settings require other bits than the sequential loop's: another order of the
- * contributions, or compensated sums? Then even a single thread executes by a plan, also within a
- * parallel region and concurrently with other threads, because the bits must always be the same. */
+/* Do the settings require other bits than those of the sequential loop (another order of the
+ * contributions, or compensated sums)? Then even a single thread executes by a plan, within a
+ * parallel region and concurrently with other threads, too, because the bits must always be the
+ * same. */
 static bool is_always_planned(const struct settings *settings) {
     return settings->compensated ||
            (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
 }
 
-/* Compensated sums are added in the order of the loop, each element by one thread: by
- * LOCALWRITE. */
+/* The named method. Compensated sums use LOCALWRITE by default: one thread adds to each element, in
+ * the order of the loop. */
 static const struct method *method_of(const struct settings *settings) {
     if (!settings->method && settings->compensated)
         return &redcc_method_localwrite;
     return settings->method;
 }
 
-/* May a single thread execute the loop by a plan or in bins? With lanes it may be faster than the
- * sequential loop. */
+/* May a single thread execute the loop by a plan or in bins? In its vector form (lanes), the loop
+ * may be faster than the sequential loop even then. */
 static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
     enum lanes_reason unused;
     const bool in_bins = settings->method && settings->method->in_bins;
     return in_bins || redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0;
 }
 
-/* A reason against running in parallel that does not depend on the loop's data. */
+/* A reason against running in parallel that does not depend on the loop's data, or REASON_NONE. */
 static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
                                  int threads, int nested, bool forked) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
@@ -86,7 +88,7 @@ static int serially(struct loop_state *state, enum reason reason) {
     return 0;
 }
 
-/* Counts a sequential call that did not reach redcc_enter. */
+/* Counts a sequential execution whose caller did not call redcc_enter. */
 static void note_serial(redcc_loop *loop, enum reason reason) {
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
@@ -100,7 +102,7 @@ void redcc_note_no_memory(redcc_loop *loop) {
 }
 
 int redcc_is_unlinked(redcc_loop *loop) {
-    (void)redcc_is_forked();        /* must precede any use of the parent's memory */
+    (void)redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
     (void)redcc_settings_for(loop); /* reads REDCC_REPORT */
     note_serial(loop, REASON_UNLINKED);
     return 0;
@@ -132,7 +134,7 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* Ends the execution and releases the loop, whose state must not be used afterwards. */
+/* Ends the execution and releases the loop's state, which must not be used afterwards. */
 static void end(struct loop_state *state) {
     const struct within within = state->execution.within;
     redcc_loop_release(state);
@@ -150,8 +152,8 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-/* The settings for a loop that is executed by its sections (choose/sections.h), as if the method
- * were named. */
+/* The settings for a loop that is executed with copies of its sections (choose/sections.h), as if
+ * that method were named. */
 static struct settings settings_of_sections(const struct settings *settings, int shares) {
     struct settings own = *settings;
     own.method = &redcc_method_sections;
@@ -159,7 +161,8 @@ static struct settings settings_of_sections(const struct settings *settings, int
     return own;
 }
 
-/* The number of shares for an execution by sections; below 2: the loop's order is kept. */
+/* The number of shares into which iterations are divided for an execution by sections. Below 2: the
+ * loop is not executed by sections and keeps its order. */
 static int section_shares(const redcc_loop *loop, const struct settings *settings, redcc_int trip,
                           void *const *bases, const redcc_extent *sections) {
     if (!sections || redcc_order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
@@ -201,7 +204,8 @@ static struct advice advice_for(struct execution *execution, int threads) {
     return advice;
 }
 
-/* The loop is acquired: begins an execution. False: run serially, for *reason. */
+/* Begins an execution of a loop that was acquired. Returns false if the loop must run serially, and
+ * sets *reason. */
 static bool begin_execution(struct execution *execution, const redcc_loop *loop, int threads,
                             enum reason *reason) {
     struct loop_state *state = execution->state;
@@ -222,7 +226,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->planned = threads;
     call->started = alone ? 0 : redcc_team_missing(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
-    /* sections give the same bits with any number of threads */
+    /* sections give the same bits with any number of threads, so one thread suffices */
     if (call->request.sections && threads < 1)
         threads = 1;
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
@@ -255,8 +259,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* The number of threads to request. With compensated sums no sequential execution is timed, so that
- * a short loop gets one thread. */
+/* The number of threads to request. With compensated sums no sequential execution is timed; a short
+ * loop then gets one thread. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
@@ -269,10 +273,10 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 /* ---- the original loop, timed ---------------------------------------------------------------- */
 
 enum { MOST_SOURCES = 8 }; /* maximum number of sources whose ranges are stored */
-/* The original loop that this thread is about to execute, and its start time. A loop called by its
- * body replaces it; the outer loop is then not timed in this call. */
+/* The original loop that this thread is about to execute, and its start time. If its body calls
+ * another loop, that loop replaces it here, and this execution of the outer loop is not timed. */
 static _Thread_local struct {
-    const redcc_loop *loop; /* NULL: none */
+    const redcc_loop *loop; /* NULL: no loop is timed */
     redcc_int trip;
     redcc_extent known[MOST_SOURCES];
     double began;
@@ -294,8 +298,8 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
     original.began = redcc_seconds();
 }
 
-/* Can the call proceed without a state? If the settings request only speed, a loop runs unchanged,
- * and gets a state when it has taken long enough. */
+/* Can the call proceed without a state? If the settings request only speed, a loop runs unchanged
+ * at first, and gets a state once it has taken long enough. */
 static bool needs_no_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
                            const redcc_extent *known, bool may_gain) {
     if (redcc_made_state_of(loop) || (may_gain && redcc_advise_at_once(loop, trip)) ||
@@ -312,8 +316,8 @@ static void note_left_alone(struct statistics *statistics, enum rule rule) {
     redcc_note_serial(statistics);
 }
 
-/* Is the call skipped by back-off? Then the loop is released without preparations, and timed if
- * requested. */
+/* Is the call skipped by back-off? Then the loop is released without preparations for threads, and
+ * timed if the advice says so. */
 static bool is_backed_off(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                           const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
@@ -343,8 +347,9 @@ static bool ends_early(struct loop_state *state, redcc_loop *loop, redcc_int tri
     return true;
 }
 
-/* Would OpenMP free memory by the wrong allocator (redcc_allocator_is_split)? Then the execution
- * ends here. The first call reads the symbols of all objects: 0.06 ms. */
+/* Would OpenMP free memory with another allocator than it was allocated with
+ * (redcc_allocator_is_split)? Then the execution ends here. The first call takes 0.06 ms, because
+ * it reads the symbols of all objects. */
 static bool must_avoid_regions(struct loop_state *state, bool always) {
     if (always || !redcc_allocator_is_split())
         return false;
@@ -359,13 +364,13 @@ static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *
                           double seconds) {
     const int error = errno;
     struct loop_state *state = NULL;
-    redcc_is_forked(); /* the body may have forked, and memory is used below */
+    redcc_is_forked(); /* the body may have called fork(), and memory is used below */
     const int executions = redcc_unmade_timed(&loop->state, trip, seconds);
     if (executions > 0)
         state = redcc_state_of(loop);
     enum reason reason;
-    if (state &&
-        redcc_loop_acquire(state, loop, false, &reason)) { /* fails if another thread executes it */
+    if (state && redcc_loop_acquire(state, loop, false,
+                                    &reason)) { /* fails if another thread is executing the loop */
         redcc_note_sequential(&state->reported.statistics, trip, seconds);
         redcc_inform_auto(state, loop,
                           &(struct outcome){.result = RESULT_SEQUENTIAL,
@@ -413,7 +418,7 @@ void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double s
 
 /* ---- enter, join, leave ---------------------------------------------------------------------- */
 
-/* Fills the call, so that its threads can join the execution. */
+/* Fills the call, so that threads can join the execution. */
 static int hand_over(struct execution *execution, redcc_call *call) {
     const int threads = execution->call.asked;
     redcc_find_plan(execution);
@@ -445,7 +450,8 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
                  int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
-    const bool forked = redcc_is_forked(); /* must precede any use of the parent's memory */
+    const bool forked =
+        redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
@@ -500,7 +506,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     return hand_over(execution, call);
 }
 
-/* Preserves errno: the loop must find the caller's value, whichever thread executes it. */
+/* Preserves errno: the loop must find the caller's value, in whichever thread it is executed. */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     return redcc_enter_sectioned(call, loop, trip, bases, known, key, NULL, threads, nested);
@@ -533,7 +539,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     if (number == 0) {
         redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
-        /* with one thread, only a dry run is so long that a user may wait for its end */
+        /* with one thread, only a dry run takes so long that a user may be waiting for its end */
         if (!execution->advice.alone || execution->call.request.sections || is_dry)
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Checks that the linked definitions of other files' functions are those that were analysed. Each
+/* Checks that functions of other files are linked to the definitions that were analysed. Each
  * object describes its functions and their addresses (redcc_record). The records are compared with
  * the loop's expectations, and the addresses with the targets of the calls. */
 #include <assert.h>
@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Maximum length of a chain of calls. (Loops that call mutually recursive functions are not
- * translated.) */
+/* Maximum depth of nested calls. (Loops that call mutually recursive functions are not translated.)
+ */
 enum { MOST_DEEP = 64 };
 
 static bool is_expected(const redcc_record *record, const redcc_expectation *expected,

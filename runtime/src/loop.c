@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The lifetime of a loop's state: creation, acquisition by one execution at a time, freeing. */
+/** The lifetime of a loop's state: it is created, acquired by one execution at a time, and freed.
+ */
 #include "loop.h"
 
 #include "base/memory.h"
@@ -27,7 +28,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_free(state);
 }
 
-/* Sets the references shared by all parts of an execution. */
+/* Sets the pointers that connect the parts of an execution. */
 static void join_parts(struct loop_state *state) {
     struct execution *execution = &state->execution;
     struct inspection *inspection = &execution->inspection;

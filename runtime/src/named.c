@@ -43,7 +43,8 @@ static struct named_method parse_method(const char *value) {
     return named;
 }
 
-/* The line number in FILE:LINE, which is truncated at the colon; 0: there is none. */
+/* Returns the line number in FILE:LINE and truncates the text at the colon. 0: there is no line
+ * number. */
 static int cut_line(char *place) {
     char *colon = strrchr(place, ':'), *end;
     if (!colon || colon == place || colon[1] < '0' || colon[1] > '9')
@@ -55,8 +56,8 @@ static int cut_line(char *place) {
     return (int)line;
 }
 
-/* Is one name a suffix of the other, beginning at a path component? The compiled name and the
- * user's may be relative to different directories. */
+/* Is one name a suffix of the other that begins at a path component? The name at compile time and
+ * the name that the user gives may be relative to different directories. */
 static bool is_same_file(const char *a, const char *b) {
     const size_t a_length = strlen(a), b_length = strlen(b);
     const char *longer = a_length > b_length ? a : b, *shorter = a_length > b_length ? b : a;
@@ -64,7 +65,7 @@ static bool is_same_file(const char *a, const char *b) {
     return strcmp(end, shorter) == 0 && (end == longer || end[-1] == '/');
 }
 
-/* Adds an entry for `item`, FILE:LINE=METHOD; the entry takes ownership of it. */
+/* Adds an entry for `item`, FILE:LINE=METHOD. The entry takes ownership of `item`. */
 static void read_loop(struct named *named, char *item, const char *whole) {
     char *equals = strrchr(item, '=');
     *equals = '\0';
@@ -83,7 +84,7 @@ static void read_loop(struct named *named, char *item, const char *whole) {
     struct named_loop *loop = redcc_memory_alloc_zeroed(1, sizeof *loop);
     char *file = redcc_memory_copy_text(item);
     if (!loop || !file)
-        return; /* auto applies */
+        return; /* out of memory: auto decides about this loop */
     *loop = (struct named_loop){.next = named->loops, .file = file, .line = line, .as = as};
     named->loops = loop;
 }
@@ -132,7 +133,8 @@ static const char *last_part(const char *file) {
     return slash ? slash + 1 : file;
 }
 
-/* Any other file is farther than any line of the same file. */
+/* How far an executed loop is from the one that is named. Loops of another file are farther than
+ * all loops of the same file. */
 static size_t distance_to(const struct named_loop *loop, const struct reported *reported) {
     const size_t lines = (size_t)labs((long)loop->line - (long)reported->line);
     const size_t letters =

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** REDCC_METHOD: the method of all loops, or of single loops as FILE:LINE=METHOD. */
+/** Reads REDCC_METHOD, which names the method of all loops, or of single loops as FILE:LINE=METHOD.
+ */
 #ifndef REDCC_NAMED_H
 #define REDCC_NAMED_H
 
@@ -10,7 +11,7 @@
 struct reported;
 struct settings;
 
-/** A method and its parameter; no method: auto. */
+/** A method and its parameter. No method means auto. */
 struct named_method {
     const struct method *method;
     int parameter;
@@ -19,10 +20,11 @@ struct named_method {
 /** A loop for which REDCC_METHOD names a method. */
 struct named_loop {
     struct named_loop *next;
-    char *file; /* as the user wrote it */
+    char *file; /* the file's name as the user wrote it */
     int line;
     struct named_method as;
-    struct settings *settings; /* for that loop, once the settings are read; NULL: out of memory */
+    struct settings *settings; /* the settings for that loop, once the environment was read; NULL:
+                                  out of memory */
     atomic_int met;            /* the loop was executed */
 };
 
@@ -35,12 +37,12 @@ struct named {
 /** Parses `value` (NULL: unset) into *named. Reports errors by redcc_complain. */
 void redcc_named_read(struct named *named, const char *value);
 
-/** The entry of REDCC_METHOD for the loop, which is marked as executed; NULL: there is none.
- *  Thread-safe. */
+/** Finds the entry of REDCC_METHOD for the loop, and marks it as executed. NULL: there is no entry.
+ * Thread-safe. */
 const struct named_loop *redcc_named_find(const struct named *named, const redcc_loop *loop);
 
-/** Prints on standard error the loops of REDCC_METHOD that were never executed, each with the
- *  nearest one of the report. */
+/** Prints on standard error the loops of REDCC_METHOD that were never executed. For each of them it
+ * names the nearest loop of the report. */
 void redcc_named_note_unmet(const struct named *named, const struct reported *reported);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Memory for the operands of scalars that a loop accumulates in addition to its arrays. */
+/** Memory for the operands of scalars to which a loop adds, besides its arrays. */
 #ifndef REDCC_OPERANDS_H
 #define REDCC_OPERANDS_H
 
@@ -9,14 +9,14 @@
 #include <stddef.h>
 
 /** The limit for operands in bytes. Without REDCC_MEMORY_LIMIT it is a quarter of the machine's
- * memory, since the loop's arrays and plans need memory, too. */
+ * memory, because the loop's arrays and plans need memory, too. */
 size_t redcc_operands_most_bytes(void);
 
-/** Sets attempt->operands and attempt->series. False: trip is not positive, or memory is lacking
- * (which is reported); none is allocated. */
+/** Allocates and sets attempt->operands and attempt->series. Returns false and allocates nothing if
+ * the trip count is not positive or memory runs out, which is reported. */
 bool redcc_operands_alloc_all(redcc_loop *loop, const redcc_attempt *attempt);
 
-/** Frees both. */
+/** Frees attempt->operands and attempt->series. */
 void redcc_operands_free_all(const redcc_attempt *attempt);
 
 #endif

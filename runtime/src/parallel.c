@@ -22,7 +22,7 @@ struct shared {
     const void *context;
 };
 
-/* The number of threads that the loop's directive requests, otherwise OpenMP's number. */
+/* The number of threads that the loop's directive requests; without a request, OpenMP's number. */
 static int threads_of(const redcc_loop *loop, const redcc_attempt *attempt) {
     enum { MOST = 4096 };
     if (!(loop->flags & REDCC_TEAM) || attempt->threads < 1)
@@ -49,7 +49,7 @@ static void say_other_version(redcc_u32 version) {
 static void prepare(redcc_site *site) {
     if (__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         return;
-    /* If several threads come first, all store the same value. */
+    /* If several threads call this at the same time, they all store the same value. */
     if (site->binned.loop.flags & REDCC_BINNED && !redcc_bins_can_apply(&site->binned))
         site->binned.loop.flags &= ~(unsigned)REDCC_BINNED;
     __atomic_store_n(&site->calls, &redcc_library, __ATOMIC_RELEASE);
@@ -77,8 +77,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         return redcc_is_unlinked(loop);
     if (!redcc_operands_alloc_all(loop, attempt))
         return 0;
-    /* Checked even if the loop then runs sequentially: a row named for the wrong array may be the
-     * reason, because it makes arrays appear to overlap. */
+    /* The check is made even if the loop then runs sequentially: a row named for the wrong array
+     * may be the reason, because it makes arrays appear to overlap. */
     if (redcc_settings()->validate && loop->flags & REDCC_BY_HAND)
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct beginning beginning;

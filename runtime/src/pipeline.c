@@ -12,16 +12,17 @@
 static enum stage refuse(struct execution *execution, enum reason reason) {
     assert(reason != REASON_NONE);
     execution->reason = reason;
-    if (reason != REASON_DEADLINE) /* after a deadline, each route records its own progress */
+    if (reason !=
+        REASON_DEADLINE) /* after a deadline, the route is needed to tell how far it got */
         execution->inspection.route = ROUTE_SERIAL;
     return STAGE_OVER;
 }
 
 /* ---- verify ---------------------------------------------------------------------------------- */
 
-/* A named method may use any kept plan of it; auto only a plan of the strategy that it has chosen.
- * Of auto's plans without schedules, only those for tiles are kept, because they do not depend on
- * subscripts. */
+/* A named method may use any of its kept plans; auto uses only plans of the strategy that it has
+ * chosen. A plan without a schedule is kept by auto only if it is for tiles, because such a plan
+ * does not depend on subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
@@ -123,8 +124,8 @@ static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
                                                                          : PROGRESS_MEET;
 }
 
-/* Called if the access graph is not available: falls back to owners by address, or to auto's choice
- * without the graph. */
+/* Called if the access graph cannot be built. Falls back to owners by address, or to another choice
+ * of auto. */
 static enum stage fall_back(struct execution *execution) {
     const struct method *named = execution->call.method;
     if (named && named->in_levels)
@@ -147,7 +148,7 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
     }
 }
 
-/* Prepares a sweep only for extents, for a loop that will be binned. */
+/* Prepares a sweep that only finds address ranges, for a loop that will be binned. */
 static enum stage sweep_for_extents(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     inspection->route = ROUTE_DIRECT;
@@ -158,7 +159,8 @@ static enum stage sweep_for_extents(struct execution *execution) {
     return possible ? STAGE_SWEEP : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* Cuts the groups, and continues with a sweep; or ends, if auto decides so from the sample. */
+/* Cuts the arrays of each group into the ranges of the owners, and continues with a sweep; or ends,
+ * if auto decides so from the sample. */
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
@@ -215,7 +217,8 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
     return PROGRESS_MEET;
 }
 
-/* The last check before a plan is built: why may this method not execute this loop? */
+/* The last check before a plan is built: returns a reason why this method cannot execute this loop,
+ * or REASON_NONE. */
 static enum reason objection(const struct inspection *inspection, const struct method *method) {
     if (inspection->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
         return REASON_MIXED;
@@ -257,11 +260,12 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
     return execution->run.plan ? STAGE_PLAN : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* After all iterations are recorded: selects the named method, or the one that auto chooses now. */
+/* After all iterations are recorded: selects the named method, or the method that auto chooses now.
+ */
 static enum stage choose_method(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     if (inspection->route == ROUTE_COPIES && !redcc_copies_allowed(inspection)) {
-        inspection->no_copies = true; /* the touched range is larger than that of the sample */
+        inspection->no_copies = true; /* the touched range is larger than it was in the sample */
         return cut(execution);
     }
     const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);
@@ -297,7 +301,7 @@ static enum stage after_sweep(struct execution *execution) {
         return refuse(execution, REASON_SERIAL_FASTER);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
-    if (execution->call.in_bins) /* bins have their own guard for arrays that overlap each other */
+    if (execution->call.in_bins) /* for arrays that overlap each other, bins have their own guard */
         return STAGE_BINS;
     switch (redcc_partition_merge(&inspection->partition, inspection->touched)) {
     case MERGE_REFUSED:
@@ -407,12 +411,12 @@ static const struct stage_entry {
     [STAGE_PARTITION] = {partition, after_partition, STAGE_OVER},
     [STAGE_JOIN] = {join, after_partition, STAGE_OVER},
     [STAGE_PLAN] = {prepare, after_prepare, STAGE_OVER},
-    [STAGE_RUN] = {0},  /* redcc_next (execute/executor.c) */
-    [STAGE_BINS] = {0}, /* redcc_bins_next (binned.c) */
-    [STAGE_OVER] = {0}, /* redcc_leave */
+    [STAGE_RUN] = {0},  /* continues in redcc_next (execute/executor.c) */
+    [STAGE_BINS] = {0}, /* continues in redcc_bins_next (binned.c) */
+    [STAGE_OVER] = {0}, /* continues in redcc_leave */
 };
 
-/* A barrier; the last thread calls `then`, and all get the next stage. */
+/* Waits at a barrier. The last thread to arrive calls `then`; all threads get the next stage. */
 static enum stage meet(struct thread_state *thread, enum stage (*then)(struct execution *)) {
     struct execution *execution = thread->execution;
     if (redcc_barrier_arrive(&execution->barrier, thread->threads)) {

@@ -4,13 +4,13 @@
  *
  *     redcc_enter    struct call      settings in force, arguments, threads       call.c
  *                    struct advice    auto: serial, timed, or parallel            choose/advice.h
- *                    struct kept_plan one that may be reused                      reuse/kept.h
+ *                    struct kept_plan a plan that may be reused                   reuse/kept.h
  *     -- the parallel region: every thread passes through the stages ---------------------------
  *     redcc_inspect  verify     are the subscripts unchanged?         yes: run    reuse/kept.h
  *                    dry run    all iterations, in order, if stale values
  *                               would be harmful                                  inspect/
  *                    sample     some iterations   -> struct partition (the cuts)
- *                    sweep      all iterations    -> struct summary, one a thread
+ *                    sweep      all iterations    -> struct summary, one per thread
  *                                                    and the overlap guard
  *                    log        all touches, stored -> struct access_log, one per thread
  *                    partition  of the graph      -> struct divide or struct levels
@@ -31,7 +31,7 @@
 #define REDCC_PIPELINE_H
 
 enum stage {
-    STAGE_RECOUNT, /* fewer threads arrived than were requested */
+    STAGE_RECOUNT, /* fewer threads arrived than were requested: searches for a plan for them */
     STAGE_VERIFY,
     STAGE_DRY_RUN,
     STAGE_SAMPLE,
@@ -40,7 +40,7 @@ enum stage {
     STAGE_JOIN,
     STAGE_PLAN,
     STAGE_RUN,
-    STAGE_BINS, /* without a plan; after an inspection only with REDCC_BINS_CHECKED */
+    STAGE_BINS, /* binning: no plan; after an inspection only with REDCC_BINS_CHECKED */
     STAGE_OVER, /* nothing runs in parallel */
     STAGES
 };
@@ -50,12 +50,12 @@ struct execution;
 /** Searches for a kept plan for the call, with its current number of threads. */
 void redcc_find_plan(struct execution *execution);
 
-/** What `each` of a stage returns. */
+/** What a stage's function `each` returns. */
 enum progress {
-    PROGRESS_TELL, /* the program must record the addresses of some iterations; then `each` is
+    PROGRESS_TELL, /* the program must record the addresses of some iterations before `each` is
                       called again */
-    PROGRESS_MEET, /* done: a barrier follows, and one thread calls `then` */
-    PROGRESS_PASS  /* done: without a barrier, the next stage is `passed` */
+    PROGRESS_MEET, /* the stage is done: a barrier follows, and one thread calls `then` */
+    PROGRESS_PASS  /* the stage is done, and needs no barrier: the next stage is `passed` */
 };
 
 #endif

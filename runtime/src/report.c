@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* struct statx */
+#define _GNU_SOURCE /* for struct statx */
 #include "report.h"
 
 #include "base/memory.h"
@@ -39,7 +39,7 @@ void redcc_report_remove(struct reported *reported) {
             at->next = reported->next;
 }
 
-/* Counts a text in a slot that is free (count 0) or has the same text; false: the slot has another
+/* Counts a text in a slot that is free (count 0) or has the same text. False: the slot has another
  * text. The text must fit into the slot. */
 static bool count_text(char *place, long *count, const char *text) {
     if (*count == 0)
@@ -57,7 +57,7 @@ void redcc_report_overlap(struct statistics *statistics, const char *source, con
     for (int i = 0; i < REDCC_TEXTS; i++)
         if (count_text(statistics->overlap[i].text, &statistics->overlap[i].count, text))
             return;
-    atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* too many to count separately */
+    atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* no slot is left for this text */
 }
 
 void redcc_report_lost(struct statistics *statistics, const char *array) {
@@ -72,7 +72,7 @@ void redcc_report_lost(struct statistics *statistics, const char *array) {
 /* Expands %p to the process's id, so that each of several processes writes a separate report. NULL:
  * out of memory. */
 static char *spell_name(const char *name) {
-    const size_t room = 24 * strlen(name) + 1; /* %p is two letters, an id fewer than 40 */
+    const size_t room = 24 * strlen(name) + 1; /* %p has two letters; an id has fewer than 40 */
     char *spelled = redcc_memory_alloc(room);
     size_t length = 0;
     for (; spelled && *name; name++) {
@@ -90,12 +90,13 @@ static char *spell_name(const char *name) {
 
 /* ---- several runtimes in one process ---------------------------------------------------------
  *
- * If a library has its own runtime, both write to the same file, from the same process. The second
- * recognises the first one's report by its first line, and adds its own loops. */
+ * If a library has its own runtime, both runtimes write to the same file from the same process. The
+ * second one to write recognises the first one's report by its first line, and adds its own loops.
+ */
 
 static const char end_of_report[] = "]}\n";
 
-/* Is it a regular file? `otherwise` if unknown. */
+/* Is the file regular? Returns `otherwise` if that is unknown. */
 static bool is_regular(const char *name, unsigned flags, bool otherwise) {
 #if defined(__linux__)
     struct statx found;
@@ -108,7 +109,7 @@ static bool is_regular(const char *name, unsigned flags, bool otherwise) {
     return otherwise;
 }
 
-/* The contents of the file as a text; NULL: unreadable. */
+/* The contents of the file as a text; NULL: the file cannot be read. */
 static char *read_all(const char *name) {
 #if defined(__linux__)
     const int file = is_regular(name, 0, false) ? redcc_system_open(name) : -1;
@@ -137,7 +138,7 @@ static char *read_all(const char *name) {
 #endif
 }
 
-/* The report of another runtime of this process, without its end; NULL: none. */
+/* The report of another runtime of this process, without its end; NULL: there is none. */
 static char *read_others(const char *name, const char *head) {
     const size_t end = sizeof end_of_report - 1;
     char *text = read_all(name);
@@ -178,8 +179,8 @@ static bool write_through(const char *name, const char *head, const char *others
 }
 
 /* Writes the report under a temporary name in the same directory, then renames it, so that no
- * reader sees an incomplete report. If no file can be created there, writes the file itself. False:
- * writing failed. */
+ * reader sees an incomplete report. If no temporary file can be created, writes directly to the
+ * file. False: writing failed. */
 static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
     char *beside = redcc_memory_alloc(room);
@@ -200,7 +201,7 @@ static bool write_file(const char *name) {
     char head[REDCC_REPORT_HEAD];
     redcc_report_head(head);
     if (strcmp(name, "/dev/stdout") ==
-        0) /* opening the file again would overwrite the program's output */
+        0) /* opening it as a file would overwrite the program's output */
         return write_whole(stdout, head, NULL);
     if (strcmp(name, "/dev/stderr") == 0)
         return write_whole(stderr, head, NULL);
@@ -213,7 +214,7 @@ static bool write_file(const char *name) {
 }
 
 void redcc_report_write(void) {
-    redcc_memory_limit(0); /* the limit was for loops; the report may exceed it */
+    redcc_memory_limit(0); /* the limit is for loops only; the report may exceed it */
     char *name = redcc_settings()->report ? spell_name(redcc_settings()->report) : NULL;
     if (!name)
         return;
@@ -233,8 +234,8 @@ static void end_program(void) {
     _exit(REDCC_BROKEN); /* not exit, because this is one of exit's handlers */
 }
 
-/* Registered at program start, because the handler registered first runs last: after the program's
- * handlers, and after all reports. */
+/* Registers the handler at program start, because the handler registered first runs last: after the
+ * program's handlers, and after all reports were written. */
 __attribute__((constructor)) static void register_end(void) {
     const char *value = redcc_environment("REDCC_VALIDATE");
     if (value && strcmp(value, "1") == 0)

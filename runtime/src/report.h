@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Counters of each loop, and REDCC_REPORT: one JSON object at exit. */
+/** Counters of each loop, and the report of REDCC_REPORT: a JSON object written at exit. */
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 
@@ -12,8 +12,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-/** Modes of a loop's last call: identifier, slug, meaning. docs/report.md lists the slugs, and a
- * test compares them. */
+/** The mode in which a loop's last call ran: identifier, slug, meaning. docs/report.md lists the
+ * slugs, and a test compares the two lists. */
 #define REDCC_MODE_LIST(X)                                                                         \
     X(MODE_NONE, "none", "no call had an iteration to execute")                                    \
     X(MODE_SEQUENTIAL, "sequential", "the original loop")                                          \
@@ -31,7 +31,7 @@ enum mode {
 
 enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
-/** A text with names from the user's source, and the number of times it applied. */
+/** A text with names from the user's source, and the number of times it was reported. */
 struct counted_text {
     char text[REDCC_TEXT];
     long count;
@@ -41,17 +41,19 @@ struct counted_text {
 struct last_execution {
     redcc_int stages;
     redcc_int trip;
-    redcc_int length; /* makespan of the schedule, in iterations */
-    bool compensated; /* with compensated sums */
-    int lanes;        /* iterations at once; 0: one by one */
+    redcc_int length; /* the largest number of iterations that one thread executes, which bounds the
+                         time */
+    bool compensated; /* sums were compensated */
+    int lanes;        /* number of iterations executed at once; 0: one by one */
     enum lanes_reason lanes_reason;
-    atomic_int mode; /* an enum mode: of the last call */
+    atomic_int mode; /* mode of the last call, an enum mode */
 };
 
 /** Costs of parallel executions other than time. */
 struct extra_work {
-    size_t bytes;       /* of the largest plan, or of the most memory for bins */
-    redcc_int executed; /* iterations, counting replicated ones */
+    size_t bytes; /* size of the largest plan, or the most memory used for bins */
+    redcc_int
+        executed; /* number of executed iterations; if several threads execute one, each counts */
 };
 
 /** Timings of the original loop. */
@@ -64,7 +66,8 @@ struct timed_sequential {
 /** Placement of the loop's threads. */
 struct placement {
     int nodes;  /* number of NUMA nodes in the last execution; 0: unknown */
-    long moves; /* total number of times that a thread was on another node than before */
+    long moves; /* total number of times that a thread ran on another node than in the execution
+                   before */
 };
 
 /** Plans that could not be reused because a subscript had changed. */
@@ -73,15 +76,15 @@ struct lost_plans {
     struct lost_to {
         char name[REDCC_NAME];
         long count;
-    } array[REDCC_LOST]; /* the changed arrays; further ones are only counted */
+    } array[REDCC_LOST]; /* the first few changed arrays; other arrays only add to the total */
 };
 
-/** Counters that are updated without holding the loop are atomic. */
+/** Counters of a loop. Those that are updated without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
-    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of REASON_OVERLAP */
-    atomic_int rule;             /* enum rule: the row of auto's table that decided last */
+    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of names for REASON_OVERLAP */
+    atomic_int rule;             /* an enum rule: the row of auto's table that decided last */
     const struct method *method; /* the method used last; NULL: none yet */
     int parameter;
     redcc_order order;
@@ -89,14 +92,14 @@ struct statistics {
     struct placement placement;
     long plans_built;
     long plans_reused;
-    long watched; /* number of reuses in which write tracking made reading some subscripts
-                     unnecessary */
+    long watched; /* number of reuses in which write tracking made it unnecessary to read some
+                     subscripts */
     struct lost_plans lost;
     double inspect_seconds;
     double execute_seconds;
     struct timed_sequential sequential;
     struct extra_work extra;
-    redcc_int in_loops; /* iterations of parallel executions, without replicated ones */
+    redcc_int in_loops; /* number of iterations of parallel executions; each counts once */
     struct last_execution last;
     struct validated validated;
 };
@@ -125,27 +128,27 @@ void redcc_report_overlap(struct statistics *statistics, const char *source, con
 /** Counts a plan that could not be reused because the array had changed. */
 void redcc_report_lost(struct statistics *statistics, const char *array);
 
-enum { REDCC_BROKEN = 3 /* exit status */ };
+enum { REDCC_BROKEN = 3 /* exit status if validation found an error */ };
 
-/** Prints the validation's results to standard error: lines for each loop, and the number of loops
+/** Prints the results of validation to standard error: lines for each loop, and the number of loops
  * that ran in parallel. Returns whether there was an error. */
 bool redcc_report_validation(void);
 
-/** The beginning of this process's reports, which is unique: the open brace and the members
+/** The beginning of each report of this process, which is unique: the open brace and the members
  * "process" and "started". */
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 
-/** Called when the settings are read, with REDCC_REPORT by the first translated loop: seconds and
- * lost cores are counted from here. */
+/** Called when the settings are read. The report counts seconds and preemptions from then
+ * on. */
 void redcc_report_begin(void);
 
-/** Should the report advise OMP_WAIT_POLICY=passive, because cores were preempted `lost` times in
- * this number of seconds? policy: OMP_WAIT_POLICY, NULL if unset; has_spin_time: another variable
- * sets the spin time. */
+/** Should the report advise the user to set OMP_WAIT_POLICY=passive, because cores were preempted
+ * `lost` times in this number of seconds? policy: the value of OMP_WAIT_POLICY, NULL if unset;
+ * has_spin_time: another variable sets the spin time. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time);
 
-/** Writes the rest of the object: data common to all loops, and "loops". */
+/** Writes the JSON object after its head: data common to all loops, and "loops". */
 void redcc_report_body(FILE *out);
 
 /** Writes the loops as objects separated by commas. */

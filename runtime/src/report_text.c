@@ -46,8 +46,8 @@ static void spell_method(char name[LONGEST_METHOD], const struct statistics *sta
         snprintf(name, LONGEST_METHOD, "%s", method->name);
 }
 
-/* Speed-up per iteration: seconds of the sequential loop divided by those of parallel executions,
- * including all inspections and plans; 0: one of the two was not measured. */
+/* Speed-up per iteration: the sequential loop's seconds divided by the seconds of parallel
+ * executions, which include all inspections and plans. 0: one of these times was not measured. */
 static double speedup_of(const struct statistics *it) {
     const double parallel = it->inspect_seconds + it->execute_seconds;
     if (it->in_loops == 0 || it->sequential.iterations == 0 || parallel <= 0)
@@ -182,7 +182,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     putc('}', out);
 }
 
-/* Writes an environment variable by which the user sets OpenMP's thread affinity or wait policy. */
+/* Writes the value of an environment variable that sets OpenMP's thread affinity or wait policy. */
 static void write_variable(FILE *out, const char *key, const char *variable) {
     const char *value = redcc_environment(variable);
     fprintf(out, "\"%s\": ", key);
@@ -193,7 +193,7 @@ static void write_variable(FILE *out, const char *key, const char *variable) {
     fputs(", ", out);
 }
 
-/* The time, and the number of preemptions, at the first loop's beginning. */
+/* The time, and the number of preemptions so far, when the first loop began. */
 static double began_at;
 static long lost_before;
 
@@ -248,8 +248,8 @@ static void write_notes(FILE *out, const struct statistics *it) {
                     it->lost.array[i].count, it->lost.array[i].name);
 }
 
-/* With other busy processes, cores are preempted some 50 to 200 times a second (docs/report.md); on
- * a quiet machine, rarely. */
+/* If other processes are busy, cores are preempted some 50 to 200 times a second (docs/report.md).
+ * On an idle machine, they are rarely preempted. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time) {
     assert(seconds >= 0);
     const long many = 10, a_second = 20;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The output of REDCC_VALIDATE=1 at exit, on standard error. */
+/** The output of REDCC_VALIDATE=1, written to standard error at exit. */
 #include "report.h"
 
 #include "settings.h"
@@ -52,8 +52,8 @@ static void tell_comparison(const struct reported *loop) {
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
 }
 
-/* Prints the number of updates that slices did not name. (The first ones were printed when found.)
- */
+/* Prints the number of updates whose rows the slices did not name. (The first few of them were
+ * printed when they were found.) */
 static bool print_misnamed(const struct reported *loop) {
     const long count = atomic_load(&loop->statistics.validated.misnamed);
     if (count == 0)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Operands of floating scalars, any number per iteration (redcc/series.h). If several threads
- * execute an iteration, each for its own elements, each of them computes the same operands, or
- * none. So it does not matter which of them stores its part last.
+ * execute an iteration, each for its own elements, each of these threads computes the same
+ * operands, or none. So it does not matter which thread is the last to store its part.
  *
  * If memory runs out during the loop, the arrays are already written, and the original loop cannot
  * run. Only operands are lost, and they do not depend on the loop's updates: executing all
@@ -19,24 +19,25 @@
 #include <assert.h>
 
 enum {
-    BLOCK_OPERANDS = 8192 - 8, /* an operand_block, with its pointers, takes less than 64 KiB */
-    HEAD = offsetof(redcc_series_part, value) / sizeof(double) /* the head of a part, in operands */
+    BLOCK_OPERANDS = 8192 - 8, /* an operand_block with its pointers takes less than 64 KiB */
+    HEAD =
+        offsetof(redcc_series_part, value) / sizeof(double) /* size of a part's head, in operands */
 };
 
 /* A block of memory for operands; written by one thread. */
 struct operand_block {
-    struct operand_block *next; /* the next one in the list of all blocks */
-    struct operand_block *more; /* the next one in the list of the thread's blocks */
+    struct operand_block *next; /* the next block in the list of all blocks */
+    struct operand_block *more; /* the next block in the list of the thread's blocks */
     double operand[BLOCK_OPERANDS];
 };
 
 struct redcc_series {
-    _Atomic(struct operand_block *) blocks; /* all of them */
+    _Atomic(struct operand_block *) blocks; /* list of all blocks */
     atomic_size_t bytes;                    /* total bytes of these blocks */
-    size_t most;                            /* limit of `bytes` */
-    atomic_bool lost;                       /* some operand was lost */
+    size_t most;      /* limit of `bytes`, above which no block is allocated */
+    atomic_bool lost; /* some operand was lost */
     redcc_int trip;
-    _Atomic(redcc_series_part *) part[]; /* [trip] */
+    _Atomic(redcc_series_part *) part[]; /* [trip] the first part of each iteration */
 };
 
 _Static_assert(offsetof(redcc_series_part, value) % sizeof(double) == 0,
@@ -45,7 +46,7 @@ _Static_assert(offsetof(redcc_series_part, value) % sizeof(double) == 0,
 redcc_series *redcc_series_alloc(redcc_loop *loop, redcc_int trip) {
     if (trip <= 0)
         return NULL;
-    (void)redcc_is_forked(); /* must precede any use of the parent's memory */
+    (void)redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
     const size_t most = redcc_operands_most_bytes();
     redcc_series *series = NULL;
     const size_t each = sizeof series->part[0];
@@ -94,7 +95,7 @@ static void begin_block(redcc_series_writer *writer, struct operand_block *block
     writer->block_end = block->operand + BLOCK_OPERANDS;
 }
 
-/* Switches to a block of an earlier band, or to a new one. False: out of memory. */
+/* Switches to a block that an earlier band has used, or to a new one. False: out of memory. */
 static bool next_block(redcc_series_writer *writer) {
     struct operand_block *block = writer->block ? writer->block->more : NULL;
     if (!block) {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Operands of floating scalars in inner loops (redcc/series.h). */
+/** Operands of floating scalars in inner loops: the runtime's part of redcc/series.h. */
 #ifndef REDCC_SERIES_SOURCE_H
 #define REDCC_SERIES_SOURCE_H
 
 #include <redcc/runtime.h>
 
-/** Allocates a series for a loop of `trip` iterations. NULL: trip is not positive, or memory is
- *  lacking (which is reported), and the original loop must run. */
+/** Allocates a series for a loop of `trip` iterations. NULL: the trip count is not positive, or
+ * memory ran out, which is reported. Then the original loop must run. */
 redcc_series *redcc_series_alloc(redcc_loop *loop, redcc_int trip);
 
 /** Frees a series; NULL does nothing. */
@@ -14,33 +14,34 @@ void redcc_series_free(redcc_series *series);
 
 void redcc_series_join(redcc_series_writer *writer, redcc_series *series);
 
-/** Called by redcc_series_put: provides memory for an operand of iteration number k. 0: none is
- * needed, because the thread adds operands directly, or out of memory. */
+/** Called by redcc_series_put: provides memory for an operand of iteration number k. 0: no memory
+ * is needed because the thread adds operands directly, or none is left. */
 int redcc_series_room(redcc_series_writer *writer, redcc_int k);
 
-/** If operands were lost, hands out all iterations again, to the first thread, as redcc_next does.
- * Each thread must call it with all series of the loop until it returns 0. */
+/** If operands were lost, hands out all iterations again to the first thread, as redcc_next does.
+ * Each thread must call it, with all series of the loop, until it returns 0. */
 int redcc_series_repeats(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
-/** 1 for the first thread if the loop is done. Then all operands are stored. */
+/** Returns 1 to the first thread once the loop is done and all operands are stored; 0 to other
+ * threads. */
 int redcc_series_is_over(const redcc_worker *worker);
 
 /** Does any iteration have an operand? */
 int redcc_series_has_any(const redcc_series *series);
 
-/** The operands of the first iteration from *k on that has any; sets *k to its number. NULL: none
- * is left. */
+/** Finds the first iteration from number *k on that has operands. Returns the operands and sets *k
+ * to the iteration's number. NULL: there is no such iteration. */
 const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k);
 
-/** Called when the thread's band is done: waits until the operands of all bands above were added.
- */
+/** Called when the thread has executed its band of rows: waits until the operands of all bands
+ * above were added. */
 void redcc_series_await_band(redcc_worker *worker);
 
-/** The operands of iteration k, of the thread's band; NULL: it has none. */
+/** The operands of iteration k, which belongs to the thread's band; NULL: it has none. */
 const redcc_series_part *redcc_series_part_of(const redcc_series *series, redcc_int k);
 
 /** Called when all operands of the thread's band were added: reuses their memory for its next band,
- * and lets the next thread add its operands. */
+ * and lets the thread of the next band add its operands. */
 void redcc_series_end_band(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 #endif

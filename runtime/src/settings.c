@@ -18,14 +18,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The least trip count for a call of the runtime with short iterations. These take some
- * nanoseconds; fewer of them take too little time for a state (unmade.c). The call costs 20 to 30
- * nanoseconds, a tenth of 200 iterations. */
+/* The least trip count at which a loop with short iterations calls the runtime. Each of these
+ * iterations takes some nanoseconds, so fewer of them take too little time for a state (unmade.h).
+ * A call costs 20 to 30 nanoseconds, as much as a tenth of 200 iterations. */
 enum { LEAST_TRIP = 1024 };
 
-/* The number of short iterations before the first call of the runtime, which costs 2 microseconds
- * for page faults. Iterations take at least 0.3 ns each, so the call costs at most a twentieth of
- * this time. With iterations of 0.3 microseconds (mathematical functions) this time is 0.04 s. */
+/* The number of short iterations that the program executes before the first call of the runtime,
+ * which costs 2 microseconds for page faults. Iterations take at least 0.3 ns each, so the call
+ * costs at most a twentieth of this time. With iterations of 0.3 microseconds (mathematical
+ * functions) this time is 0.04 s. */
 enum { EXEMPT_ITERATIONS = 1 << 17 };
 
 redcc_int redcc_least_trip;
@@ -55,7 +56,7 @@ const char *redcc_order_name(redcc_order order) {
 
 void redcc_complain(const char *format, ...) {
     va_list arguments;
-    if (complaint[0]) /* only the first one is reported */
+    if (complaint[0]) /* only the first error is reported */
         return;
     va_start(arguments, format);
     vsnprintf(complaint, sizeof complaint, format, arguments);
@@ -70,7 +71,7 @@ static void append(char *text, size_t size, const char *more) {
 
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count) {
-    assert(count > 0); /* otherwise no name is nearest */
+    assert(count > 0); /* otherwise there is no nearest name */
     char known[512] = "";
     for (size_t i = 0; i < count; i++) {
         append(known, sizeof known, i ? " " : "");
@@ -92,8 +93,8 @@ static void read_order(const char *value) {
     redcc_complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
-/* The index of the value among the names; `otherwise` if it is unset or, after an error was
- * recorded, unknown. */
+/* The index of the value among the names. `otherwise` if the variable is unset or, after an error
+ * was recorded, if its value is unknown. */
 static unsigned read_named(const char *variable, const char *value, const char *const *names,
                            unsigned count, unsigned otherwise) {
     if (!value || !*value)
@@ -183,8 +184,9 @@ static void read_memory_limit(const char *value) {
         settings.memory_limit = 1; /* a limit that permits nothing, since 0 would mean no limit */
 }
 
-/* The method to use. Under validation every loop must run in parallel if possible, from its first
- * call on. Auto would begin with the sequential loop and, in a short program, stay with it. */
+/* Under validation, selects LOCALWRITE if no method is named: every loop must run in parallel if
+ * possible, from its first call on. Auto would begin with the sequential loop and, in a short
+ * program, not change to another. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;
@@ -203,7 +205,8 @@ static void take_methods(void) {
     }
 }
 
-/* Makes the settings of a loop with its own method; all else is copied from the common settings. */
+/* Creates the settings of a loop with its own method. All other settings are copied from the common
+ * ones. */
 static void copy_settings(struct named_loop *loop) {
     loop->settings = redcc_memory_alloc(sizeof *loop->settings);
     if (!loop->settings)
@@ -239,7 +242,7 @@ static void read_environment(void) {
         copy_settings(loop);
     redcc_note_unknown_variables();
     redcc_report_begin();
-    redcc_memory_limit(settings.memory_limit); /* counts the memory allocated so far as well */
+    redcc_memory_limit(settings.memory_limit); /* memory allocated so far is counted as well */
 }
 
 /* Reads the settings once, even if several threads call this at the same time. */
@@ -263,8 +266,8 @@ const struct settings *redcc_settings(void) {
     return &settings;
 }
 
-/* Reads the settings before main if no variable REDCC_... is set. Otherwise the first execution of
- * a loop of some microseconds would take three times as long. */
+/* Reads the settings before main if no variable REDCC_... is set. Otherwise a loop of some
+ * microseconds would take three times as long in its first execution. */
 __attribute__((constructor)) static void read_early(void) {
     redcc_team_bind();
     if (redcc_any_variable())

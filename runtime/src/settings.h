@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The settings in the environment (variables.h). */
+/** The settings that environment variables make (variables.h). */
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
@@ -8,13 +8,14 @@
 #include "plan/method.h"
 
 struct settings {
-    const struct method *method;    /* named, or implied by REDCC_VALIDATE; NULL: auto */
-    int parameter;                  /* the method's */
-    bool order_given;               /* REDCC_ORDER is set */
-    redcc_order order;              /* if order_given */
-    bool compensated;               /* REDCC_SUM */
-    bool validate;                  /* REDCC_VALIDATE */
-    bool watch;                     /* REDCC_WATCH: track writes if possible */
+    const struct method
+        *method;       /* the named method, or the one that REDCC_VALIDATE implies; NULL: auto */
+    int parameter;     /* the method's parameter */
+    bool order_given;  /* REDCC_ORDER is set */
+    redcc_order order; /* the order that REDCC_ORDER names, if order_given */
+    bool compensated;  /* REDCC_SUM */
+    bool validate;     /* REDCC_VALIDATE */
+    bool watch;        /* REDCC_WATCH: track writes if possible */
     enum prefetch_setting prefetch; /* REDCC_PREFETCH */
     enum lanes_setting lanes;       /* REDCC_LANES */
     size_t memory_limit;            /* bytes; 0: none */
@@ -29,10 +30,11 @@ const struct settings *redcc_settings(void);
  * this loop, if any. */
 const struct settings *redcc_settings_for(const redcc_loop *loop);
 
-/** Reports an error in the environment: redcc_settings stops with the first one. */
+/** Records an error in the environment. redcc_settings stops with the first error. */
 void redcc_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/** Reports that a value is not one of `count` names: lists all, and suggests the nearest. */
+/** Reports that a value is not one of `count` names: lists all names, and suggests the nearest one.
+ */
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count);
 
@@ -41,10 +43,11 @@ static inline redcc_order redcc_order_of(const redcc_loop *loop, const struct se
     return settings->order_given ? settings->order : (redcc_order)loop->order;
 }
 
-/** Parses a size of REDCC_MEMORY_LIMIT: digits and K, M or G. False if invalid. */
+/** Parses a size such as REDCC_MEMORY_LIMIT: digits and optionally K, M or G. False if it is
+ * invalid. */
 bool redcc_parse_bytes(const char *text, size_t *bytes);
 
-/** "serial", "fixed", "any". */
+/** The name of an order: "serial", "fixed" or "any". */
 const char *redcc_order_name(redcc_order order);
 
 /** Prints "redcc: " and a message to standard error and ends the program with status 2. */

@@ -12,27 +12,27 @@ enum { ENTRIES = 64, MOST_MESSAGES = 3 };
 
 struct checker;
 
-/* Installed as the hook (execute/hook.h) of each array's owner, so that the body calls ask() before
- * each update. */
+/* Installed as the hook (execute/hook.h) of each array's owner, so that the body's owner check
+ * calls ask() before each update. */
 struct asking_hook {
     struct checker *checker;
     redcc_u32 array;
 };
 
-/* The state while iterations are checked one by one. */
+/* The state of the check, which treats iterations one by one. */
 struct checker {
     redcc_worker worker; /* must be first: the functions below convert a pointer to it */
     redcc_call call;
     const redcc_attempt *attempt;
     redcc_int k;
-    /* has iteration k been handed out for inspection; and for execution? */
+    /* was iteration k handed out for inspection, and for execution? */
     bool inspected, executed;
     redcc_entry entry[ENTRIES];
     redcc_entry *named; /* [count] the rows that the slice of iteration k named */
     size_t count, room;
-    redcc_owner *window, *owner; /* [arrays] */
-    redcc_extent *sources;       /* [sources] */
-    struct asking_hook *hook;    /* [arrays] */
+    redcc_owner *window, *owner; /* [array_count] */
+    redcc_extent *sources;       /* [source_count] */
+    struct asking_hook *hook;    /* [array_count] */
     redcc_iterations run;
     long found;
     bool no_memory;
@@ -122,8 +122,8 @@ static void report(struct checker *it, redcc_u32 number, const char *address) {
             loop->file, loop->line, loop->function, row, array->name, it->k);
 }
 
-/* Called before each update: reports it if the slice did not name its row. Permits no update, so
- * that the arrays stay unchanged. */
+/* Called before each update. Reports the update if the slice did not name its row. Permits no
+ * update, so that the arrays stay unchanged. */
 static int ask(struct redcc_hook *hook, const void *address) {
     const struct asking_hook *asking = (const struct asking_hook *)(const void *)hook;
     struct checker *it = asking->checker;
@@ -162,7 +162,7 @@ long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_me
     struct checker it = {
         .call = {.loop = &site->binned.loop, .trip = attempt->trip, .threads = 1, .calls = &calls},
         .attempt = attempt,
-        .run = {.begin = 0, .count_and_check = 2 * 1 + 1}}; /* one iteration, owner-checked */
+        .run = {.begin = 0, .count_and_check = 2 * 1 + 1}}; /* run: one iteration, owner-checked */
     calls.inspect = hand_out_to_inspect;
     calls.flush = take_named;
     calls.next = hand_out_to_execute;

@@ -6,9 +6,9 @@
 
 #include "redcc/entry.h"
 
-/** Executes slice and body of each iteration without making updates, and prints to standard
- * error the updated rows that a slice does not name. Returns their number. Called before each
- * execution, even if the loop then runs sequentially. */
+/** Executes slice and body of each iteration without making updates, and prints to standard error
+ * the updated rows that the slice does not name. Returns the number of these updates. Called before
+ * each execution, even if the loop then runs sequentially. */
 long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                         const void *context);
 

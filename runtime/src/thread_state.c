@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The states of a loop's threads: allocated once, used in every execution. */
+/** The states of a loop's threads, which are allocated once and used in every execution. */
 #include "loop.h"
 
 #include "base/memory.h"
@@ -58,7 +58,7 @@ static struct thread_state *thread_new(struct loop_state *state, const redcc_loo
     return NULL;
 }
 
-/* Enlarges the tables of pointers to `count` entries. */
+/* Enlarges the state's tables of pointers to `count` entries. */
 static bool lengthen(struct loop_state *state, size_t count) {
     struct thread_state **thread = redcc_memory_resize(state->thread, count * sizeof(*thread));
     state->thread = thread ? thread : state->thread;

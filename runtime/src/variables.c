@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A reserved name, because the program may define `environ` itself. */
+/* glibc's reserved name for `environ`, because the program may define `environ` itself. */
 extern char **__environ __attribute__((__weak__));
 
 static const char *const names[] = {
@@ -31,15 +31,15 @@ static const char *const names[] = {
 #define REDCC_VARIABLE(name) +1
 enum {
     NAMES = sizeof names / sizeof *names,
-    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* number of variables of a translated program,
-                                                     * which come first */
-    ALIKE = 3                                       /* maximum number of different letters of a
-                                                     * misspelt name */
+    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* number of variables that a translated program
+                                                       reads; these are the first in names[] */
+    ALIKE =
+        3 /* a name with fewer differing letters than this is taken for a misspelt build variable */
 };
 #undef REDCC_VARIABLE
 
 /* Ignores the environment if the program has more rights than its caller (setuid): the caller must
- * not control where it writes. */
+ * not control where the program writes. */
 const char *redcc_environment(const char *name) {
     return redcc_system_is_privileged() ? NULL : getenv(name);
 }
@@ -48,9 +48,8 @@ static bool is_ours(const char *variable) {
     return strncmp(variable, "REDCC_", 6) == 0;
 }
 
-/* Is it a build variable such as "REDCC_CACHE=off"? A shell may export these for building and
- * running.
- */
+/* Is this a build variable such as "REDCC_CACHE=off"? A shell may export these variables for
+ * building and running. */
 static bool is_of_build(const char *variable) {
     const size_t length = strcspn(variable, "=");
     for (size_t n = OF_RUN; n < NAMES; n++)
@@ -68,7 +67,7 @@ bool redcc_any_variable(void) {
     return false;
 }
 
-/* Reports an unknown variable, unless it may be a misspelt build variable, which the build reports.
+/* Reports an unknown variable, unless it may be a misspelt build variable. The build reports those.
  */
 static void note_if_unknown(const char *name) {
     const size_t nearest = redcc_spelling_nearest(name, names, NAMES);

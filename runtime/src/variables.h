@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The variables REDCC_... of the environment. */
+/** The environment variables whose names begin with REDCC_. */
 #ifndef REDCC_VARIABLES_H
 #define REDCC_VARIABLES_H
 
@@ -19,15 +19,16 @@
     X("REDCC_LANES")                                                                               \
     X("REDCC_WATCH")
 
-/** A variable of the environment; NULL: it is unset, or the program has more rights than its caller
- *  (setuid), so that the environment must be ignored. */
+/** The value of an environment variable. NULL: the variable is unset, or the program has more
+ * rights than its caller (setuid), so that the environment must be ignored. */
 const char *redcc_environment(const char *name);
 
-/** Prints to standard error the variables REDCC_... that neither translated programs nor redcc and
- *  redcc-cc read. Called once. */
+/** Prints to standard error the variables REDCC_... that are set and that neither translated
+ * programs nor redcc and redcc-cc read. Called once. */
 void redcc_note_unknown_variables(void);
 
-/** Is a variable set that begins with REDCC_ and is not for builds only, or is that unknown? */
+/** Is a variable set whose name begins with REDCC_, other than those that only a build reads? Also
+ * true if the environment is unknown. */
 bool redcc_any_variable(void);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Explains why a loop is sequential and what the user can do, in one sentence. */
+/** Explains in one sentence why a loop is sequential and what the user can do. */
 #ifndef REDCC_WHY_H
 #define REDCC_WHY_H
 
@@ -7,8 +7,8 @@
 
 enum { REDCC_WHY = 256 };
 
-/** Writes the sentence for the most frequent reason of the loop's sequential calls. Empty if most
- * calls ran in parallel, or there were no calls. */
+/** Writes the sentence for the most frequent reason of the loop's sequential calls. The text is
+ * empty if most calls ran in parallel, or if there were no calls. */
 void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]);
 
 #endif

@@ -13,11 +13,11 @@
  *                                   iterations that could not be binned
  *
  * Iterations may be pushed more than once: the records of the earlier attempt are discarded. So a
- * loop has this form only if executing its body twice leaves the same state as executing it once,
- * and if the body may run before its reads are compared with its writes. For this, its addresses,
- * divisors and bounds of inner loops must come from memory that is proved disjoint from the
- * reduction arrays. Its other reads are in the loop's sources. A loop with any other body is marked
- * REDCC_BINS_CHECKED.
+ * loop has this form only if executing its body twice leaves the same state as executing it once.
+ * The body must also be able to run before its reads are compared with its writes. For this, its
+ * addresses, divisors and bounds of inner loops must come from memory that is proved disjoint from
+ * the reduction arrays. Its other reads are in the loop's sources. A loop with any other body is
+ * marked REDCC_BINS_CHECKED.
  *
  * Like runtime.h, this header includes no system header and compiles as C89 with GNU extensions.
  */
@@ -27,8 +27,7 @@
 #include <redcc/runtime.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
-                     */
+#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the shared library hides all other names */
@@ -38,13 +37,13 @@
 /**
  * Hands out the next iterations to push. REDCC_TO_PUSH: worker->first, worker->last and bins
  * [stream_count] are set. REDCC_TO_EXECUTE: call redcc_next until it returns 0, then this function
- * again. 0: continue with redcc_next. Called after redcc_inspect by every thread of the region.
- * `operands`: values that the apply functions need, the same for all threads; unchanged until the
- * function has returned 0 to all threads.
+ * again. 0: all iterations are pushed; continue with redcc_next. Called after redcc_inspect by
+ * every thread of the region. `operands` has values that the apply functions need. It is the same
+ * for all threads, and must stay unchanged until the function has returned 0 to all threads.
  */
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands);
 
-/** Called by redcc_push for a row outside of the bins. */
+/** Called by redcc_push for a row that has no bin. */
 void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) __attribute__((__cold__));
 
 /** Called by redcc_push when a block is full; returns the number of the next record of `bin`. */
@@ -55,7 +54,8 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 #pragma GCC visibility pop
 #endif
 
-/* ---- in generated text ---------------------------------------------------------------------- */
+/* ---- used by generated text -------------------------------------------------------------------
+ */
 
 /** Values of redcc__checked other than 0 and 1: updates are pushed, or made on private copies. */
 enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
@@ -64,7 +64,7 @@ enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** Does the thread have a private copy of this row? If not, the row is recorded, and the next
+/** Does the thread have a private copy of this row? If not, records the row, so that the next
  * attempt copies it. */
 REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
@@ -73,10 +73,10 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
-/** The number of a row that has no bin. */
+/** A row number that no bin contains. */
 #define REDCC_NO_ROW ((redcc_int)((redcc_word)1 << 63))
 
-/** Can a pointer be loaded from this address? */
+/** Can a pointer be loaded from this address (is it aligned and readable)? */
 REDCC_INLINE int redcc_can_load(const redcc_bins *bins, redcc_size address) {
     const redcc_size page = address / REDCC_PAGE;
     if (__builtin_expect(address % sizeof(void *) != 0, 0))
@@ -89,13 +89,13 @@ REDCC_INLINE redcc_int redcc_element_at(redcc_size address, redcc_size bytes) {
     return address % bytes == 0 ? (redcc_int)(address / bytes) : REDCC_NO_ROW;
 }
 
-/** Identifies an array: it is number `part` of the arrays of stream `stream`. */
+/** Identifies an array as number `part` of the arrays of stream number `stream`. */
 typedef struct redcc_part {
     redcc_u32 stream;
     redcc_u32 part;
 } redcc_part;
 
-/** Finds an array by its number; it must be in one of the streams. */
+/** Finds the array with number `array`, which must be in one of the streams. */
 REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 array) {
     redcc_part it = {0, 0};
     while (streams[it.stream].arrays[it.part] != array)
@@ -106,8 +106,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     return it;
 }
 
-/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. In bins it records the operands of
- *  this update, and of the following ones that share the record of stream `redcc_s`. */
+/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. In bins it pushes a record to
+ * stream `redcc_s`, with the operands of this update and of the following updates that share the
+ * record (REDCC_UPDATE_WITH). */
 #define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
                         redcc_values)                                                              \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -115,13 +116,13 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
     } else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/** The same for an update without operands: only its row is recorded. */
+/** As REDCC_UPDATE_BY, for an update without operands: only its row is recorded. */
 #define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
     else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/** The same for an update that shares an earlier record: nothing is recorded. */
+/** As REDCC_UPDATE_BY, for an update that shares an earlier record: nothing is recorded. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
@@ -131,9 +132,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
          : !redcc__checked || redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of an element behind a pointer, counted from address 0. redcc_pointer: the address of
- *  the pointer, or 0. In bins that address may be unverified: if it cannot be read, or the element
- * is misaligned, the result is REDCC_NO_ROW, which ends the round.
- */
+ * the pointer, or 0. In bins that address may be unverified. If it cannot be read, or the element
+ * is misaligned, the result is REDCC_NO_ROW. That ends the round, the iterations whose records are
+ * collected before they are applied. */
 #define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
     ((redcc_size)(redcc_pointer) == 0 ||                                                           \
              redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))                    \
@@ -154,8 +155,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
     if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
-/* Pushes a record of consecutive elements, with the first one's address, its row, the number of
- * elements, and the values that redcc_set sets. */
+/* Pushes a record of consecutive elements: the first element's address, the number of elements, and
+ * the values that redcc_set sets. redcc_first_row is the first element's row. */
 #define REDCC_PUSH_SPAN_OF(redcc_i, redcc_s, redcc_at, redcc_first_row, redcc_record, redcc_set)   \
     {                                                                                              \
         redcc_record redcc__e;                                                                     \
@@ -167,7 +168,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
             &redcc__e);                                                                            \
     }
 
-/** Replaces an inner loop over redcc_number consecutive elements of an array: pushes one record. */
+/** Replaces an inner loop over redcc_number consecutive elements of an array: pushes one record for
+ * all of them. */
 #define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_base, redcc_at, redcc_number, redcc_record,        \
                         redcc_set)                                                                 \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -178,7 +180,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                                redcc_record, redcc_set)                                            \
     }
 
-/** The same for elements behind a pointer, which may be unverified. */
+/** As REDCC_PUSH_SPAN, for elements behind a pointer that may be unverified. */
 #define REDCC_PUSH_SPAN_BEHIND(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number,            \
                                redcc_record, redcc_set)                                            \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -194,7 +196,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                                                        REDCC_NO_ROW);                              \
     }
 
-/** The number of the row, of type `redcc_row`, whose part `redcc_part` is the element. */
+/** The number of the row (of type `redcc_row`) in which the element at `redcc_at` is number
+ * `redcc_part`. */
 #define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
     ((redcc_int)((redcc_row *)(void *)((redcc_size)(redcc_at) -                                    \
                                        (redcc_size)(redcc_part) * sizeof *(redcc_at)) -            \
@@ -221,8 +224,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
 /** Precedes a loop with a constant number of iterations that update parts of one row: pushes one
- *  record of all values that they add, or only of the row. The updates inside are
- *  REDCC_UPDATE_ROW_WITH. */
+ * record of all values that they add (_BY), or of the row alone (_ALIKE). The updates inside the
+ * loop are REDCC_UPDATE_ROW_WITH. */
 #define REDCC_APPEND_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -236,7 +239,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);
 
-/** A record of several values. */
+/** Initialises a record of several values. */
 #define REDCC_VALUES_2(redcc_v0, redcc_v1)                                                         \
     { redcc_v0, redcc_v1 }
 #define REDCC_VALUES_3(redcc_v0, redcc_v1, redcc_v2)                                               \
@@ -286,17 +289,18 @@ REDCC_RECORDS(double);
 REDCC_RECORDS(float);
 
 /** Precedes a REDCC_APPLY whose records update floats several times. gcc 12 packs neighbouring
- * updates (SLP) and omits the roundings to float between them. For float x, y and double operands:
- * `x += d; x += e; y -= f; y += g;`. */
+ * updates (SLP) and omits the roundings to float between them. An example, with floats x and y and
+ * double operands: `x += d; x += e; y -= f; y += g;`. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define REDCC_ROUNDED __attribute__((__optimize__("no-tree-slp-vectorize")))
 #else
 #define REDCC_ROUNDED
 #endif
 
-/** Defines a function that applies records. redcc_updates is its text: it updates the element
- *  *redcc__to with the record redcc__e; redcc__tag is the number of the update. For a stream of
- *  several arrays the text begins with a REDCC_APPLY_ALSO for each array except the first. */
+/** Defines a function that applies records. redcc_updates is the text for one record: it updates
+ * the element *redcc__to with the record redcc__e. redcc__tag is the number of the update in the
+ * loop's body. For a stream of several arrays the text begins with a REDCC_APPLY_ALSO for each
+ * array except the first. */
 #define REDCC_APPLY(redcc_name, redcc_element, redcc_record, redcc_bits, redcc_updates)            \
     REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
     const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];       \
@@ -326,7 +330,7 @@ REDCC_RECORDS(float);
                        1)                                                                          \
                     : 0;
 
-/** Declares redcc__to_N, the element of the stream's array number N. */
+/** Declares redcc__to_N, a pointer to the element in the stream's array number N. */
 #define REDCC_APPLY_ALSO(redcc_n, redcc_element, redcc_bits)                                       \
     redcc_element *const redcc__to_##redcc_n =                                                     \
         &((redcc_element *)                                                                        \
@@ -339,12 +343,11 @@ REDCC_RECORDS(float);
                1)                                                                                  \
             : 0;
 
-/** Begins a function that applies records of spans, each to those of its elements that are in the
- *  bin. Its body has, in this order: declarations of the names that the text uses; REDCC_EACH_SPAN;
- *  declarations of the record's values; a loop by the program's counter over [redcc__from,
- *  redcc__end), which updates *redcc__to; REDCC_SPANS_END. The update reads no other element that
- * the round updates.
- */
+/** Begins a function that applies records of spans. Each record is applied to those elements of its
+ * span that are in the bin. The function's body has, in this order: declarations of the names that
+ * the text uses; REDCC_EACH_SPAN; declarations of the record's values; a loop by the program's
+ * counter over [redcc__from, redcc__end), which updates *redcc__to; REDCC_SPANS_END. The update
+ * reads no other element that the round updates. */
 #define REDCC_APPLY_SPANS(redcc_name, redcc_context)                                               \
     REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \
         REDCC_UNFUSED_BLOCK                                                                        \
@@ -369,7 +372,7 @@ REDCC_RECORDS(float);
     }                                                                                              \
     }
 
-/** A stream of one array whose records are of spans of its elements. */
+/** A stream of one array whose records describe spans of its elements. */
 #define REDCC_STREAM_OF_SPANS(redcc_apply, redcc_array, redcc_element, redcc_bytes)                \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, 0, REDCC_STREAM_SPANS }
 
@@ -378,7 +381,7 @@ REDCC_RECORDS(float);
                      redcc_exact)                                                                  \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, redcc_bits, redcc_exact }
 
-/* For each array: parameters of the body for bins. */
+/* Parameters of the body for bins: the streams, and the bins of each array's stream. */
 #define REDCC_BINS_PARAMETERS_1                                                                    \
     const redcc_stream *const redcc__streams, const redcc_bins *const redcc__bins_0
 #define REDCC_BINS_PARAMETERS_2 REDCC_BINS_PARAMETERS_1, const redcc_bins *const redcc__bins_1
@@ -405,8 +408,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINNED_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_5, REDCC_BINS_ARGUMENTS_5
 #define REDCC_BINNED_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_6, REDCC_BINS_ARGUMENTS_6
 
-/* For each array of a chunk that is pushed: a copy of its bins, and the array's base.
- * REDCC_NO_BINS_OF is for other chunks. */
+/* For each array of a chunk that is pushed: declares a copy of its bins, and the array's base.
+ * Other chunks use REDCC_NO_BINS_OF. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
     const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
@@ -426,8 +429,9 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
-/** Executes iterations whose updates are pushed, or made on copies. redcc_first_mask has the
- * sources that the first iteration records, redcc_later_mask those of later iterations. */
+/** Executes iterations whose updates are pushed, or made on copies. The bits of redcc_first_mask
+ * are the sources whose reads the first iteration records; redcc_later_mask is for later
+ * iterations. */
 #define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_first_mask, redcc_later_mask,             \
                          redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
@@ -452,16 +456,17 @@ REDCC_RECORDS(float);
     REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,          \
                      redcc_first_mask, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,  \
                      redcc_call_of_body)
-/** The same with a separate slice for reads, which are recorded while iterations are pushed. The
- *  first iteration of a chunk records the sources of redcc_first_mask, later ones those of
- *  redcc_later_mask, whose rows differ from iteration to iteration. */
+/** As REDCC_PARALLEL_BINNED, with a separate slice for the reads that are recorded while iterations
+ * are pushed. redcc_later_mask has only the sources whose rows differ from iteration to iteration,
+ * because later iterations of a chunk need not record the others again. */
 #define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,    \
                                     redcc_later_mask, redcc_all_exact, redcc_call_of_reads,        \
                                     redcc_call_of_slice, redcc_call_of_body)                       \
     REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
                      redcc_first_mask, redcc_later_mask, redcc_all_exact, redcc_call_of_reads,     \
                      redcc_call_of_slice, redcc_call_of_body)
-/** The same if iterations may be handed out a second time (redcc/series.h). */
+/** As REDCC_PARALLEL_BINNED, for loops whose iterations may be handed out a second time
+ * (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,   \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \

@@ -9,7 +9,7 @@
 #define REDCC_BLOCKS_H
 
 /** The number of iterations of a loop from `redcc_low` to before (_TO: up to) `redcc_high`, in
- * steps of `redcc_step` > 0; both ends have the counter's type. */
+ * steps of `redcc_step` > 0. Both ends have the counter's type. */
 #define REDCC_TRIP(redcc_low, redcc_high, redcc_step)                                              \
     ((redcc_low) < (redcc_high)                                                                    \
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)-1) / (redcc_step)) + 1  \
@@ -19,9 +19,9 @@
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)) / (redcc_step)) + 1    \
          : 0)
 
-/** The number of blocks. _LONG is for long iterations. For short iterations it is redcc_max or a
- * smaller power of two (2, 4 or 8 threads get equal shares); several blocks have at least 64
- * iterations each. */
+/** The number of blocks. _LONG is for long iterations. For short iterations, the number is
+ * redcc_max or a smaller power of two, so that 2, 4 or 8 threads get equal shares. If there are
+ * several blocks, each has at least 64 iterations. */
 #define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
     ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
 #define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)
@@ -34,7 +34,8 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
     return least < 2 ? 1 : (redcc_int)1 << (63 - __builtin_clzll(least));
 }
 
-/** The number of parts of a nest's inner loop, if its outer loop has redcc_rows parts. */
+/** The number of parts into which the inner loop of a nest is divided, if the outer loop has
+ * redcc_rows parts. */
 #define REDCC_COLUMNS_SHORT(redcc_rows, redcc_trip, redcc_max)                                     \
     ((redcc_rows) < 1 || (redcc_trip) < 1                                                          \
          ? 0                                                                                       \
@@ -44,8 +45,8 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
          ? 0                                                                                       \
          : REDCC_BLOCKS_LONG(redcc_trip, (redcc_max) / (redcc_rows)))
 
-/** The counter's value in the first iteration of one of the parts into which the loop, or a loop of
- *  the nest, is divided, less redcc_back steps. */
+/** The loop, or each loop of a nest, is divided into redcc_parts parts. This is the counter's value
+ * in the first iteration of part redcc_number, less redcc_back steps. */
 #define REDCC_PART_BEGIN(redcc_low, redcc_trip, redcc_parts, redcc_number, redcc_step, redcc_back) \
     ((redcc_word)(redcc_low) +                                                                     \
      (redcc_word)(redcc_block_begin(redcc_trip, redcc_parts, redcc_number) - (redcc_back)) *       \
@@ -68,7 +69,7 @@ REDCC_INLINE int redcc_is_in_order(redcc_site *site) {
     return redcc_is_known(site) && redcc_calls_of(site)->before->is_in_order(&site->binned.loop);
 }
 
-/** The neutral element of min; redcc_type: FLT, DBL or LDBL. */
+/** The neutral element of the minimum. redcc_type is FLT, DBL or LDBL. */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #define REDCC_GREATEST(redcc_type) __##redcc_type##_MAX__
 #else

@@ -2,7 +2,8 @@
 /**
  * An `omp for` loop, which all threads of a team reach, executed without its directive. The threads
  * form a crew: the first one executes the loop, and the others wait and help to execute its
- * parallel regions. No parenthesis follows a member's name: a macro of the program may have it.
+ * parallel regions. In the macros below no parenthesis follows a member's name, because the program
+ * may define a macro of that name.
  */
 #ifndef REDCC_CREW_H
 #define REDCC_CREW_H
@@ -14,8 +15,8 @@
             (*redcc_calls_of(&(redcc_site))->before->crew->arrive)();                              \
     } while (0)
 
-/** Makes a crew of the team; called by one thread for all. 0: the team must execute the loop as it
- * is written. If directives protect the loop's updates (redcc_locks), all threads must have
+/** Forms a crew of the team's threads; called by one thread. 0: the team must execute the loop as
+ * it is written. If directives protect the loop's updates (redcc_locks), all threads must have
  * arrived. */
 #define REDCC_CREW_BEGINS(redcc_site, redcc_locks)                                                 \
     (redcc_run && redcc_is_known(&(redcc_site))                                                    \
@@ -23,12 +24,12 @@
                                                                  redcc_locks)                      \
          : 0)
 
-/** 1, after the loop, for a thread that has helped the first one; 0 for the first one, before the
- * loop. */
+/** Returns 1, after the loop, to a thread that has helped the first thread; 0 to the first thread,
+ * before the loop. */
 #define REDCC_HAS_HELPED(redcc_site)                                                               \
     (redcc__crew && (*redcc_calls_of(&(redcc_site))->before->crew->help)(redcc__crew))
 
-/** Called by the first thread after the loop: ends the crew. */
+/** Called by the first thread after the loop: disbands the crew. */
 #define REDCC_CREW_ENDS(redcc_site)                                                                \
     do {                                                                                           \
         if (redcc__crew)                                                                           \

@@ -10,14 +10,14 @@
  *     #define REDCC_ARRAYS n           entries of NAME_arrays
  *     #define REDCC_SOURCES n          entries of NAME_sources; 0: there is no NAME_sources
  *   Options:
- *     #define REDCC_COUNTER type       of the counter; int if not defined
- *     #define REDCC_STEP expression    the counter's increment; 1. It may use `loop`.
- *     #define REDCC_KEYS n             number of redcc_depends_on in the description; 0
+ *     #define REDCC_COUNTER type       of the counter; default: int
+ *     #define REDCC_STEP expression    the counter's increment; default: 1. It may use `loop`
+ *     #define REDCC_KEYS n             number of redcc_depends_on in the description; default: 0
  *     #define REDCC_FLAGS flags        of structures.h. REDCC_VERIFIABLE, the default: rows depend
  *                                      only on what parallel.h lists, so that a plan may be reused.
  *                                      For short iterations without loops:
  *                                      REDCC_VERIFIABLE | REDCC_LIGHT
- *     #define REDCC_ORDERED order      how the result may differ (redcc_order); REDCC_ORDER_SERIAL
+ *     #define REDCC_ORDERED order      how the result may differ; default: REDCC_ORDER_SERIAL
  *     #define REDCC_STREAMS            NAME_streams is defined
  *     #define REDCC_NAMED bits         with NAME_streams: bit s if source s is given by
  *                                      redcc_reads_named, is no subscript, and may overlap an
@@ -58,8 +58,8 @@
 #define REDCC_NAMED 0u
 #endif
 
-/* The counter in iteration k. Compilers may assume that no bits are lost, and count by
- * addresses. */
+/* The counter's value in iteration k. Compilers may assume that the conversion preserves the value,
+ * so that they can increment addresses. */
 REDCC_INLINE REDCC_COUNTER REDCC_THIS(_counter)(redcc_int first, redcc_int k,
                                                 const REDCC_CONTEXT *loop) {
     const redcc_int value = first + k * (redcc_int)(REDCC_STEP);
@@ -69,7 +69,7 @@ REDCC_INLINE REDCC_COUNTER REDCC_THIS(_counter)(redcc_int first, redcc_int k,
     return (REDCC_COUNTER)value;
 }
 
-/* All iterations in order, by the calling thread. */
+/* Executes all iterations in order, in the calling thread. */
 static __attribute__((__unused__)) void REDCC_THIS(_sequential)(const REDCC_CONTEXT *given,
                                                                 const redcc_description *it) {
     const REDCC_CONTEXT context = *given;
@@ -192,8 +192,9 @@ static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
 }
 #endif
 
-/* Classifies iterations: does the thread own a row that they touch? The classes go to a local
- * array, so that the compiler sees that storing them does not change the slice's reads. */
+/* Classifies iterations by whether the thread owns the rows they touch. The classes are stored in a
+ * local array first, so that the compiler sees that storing them does not change the slice's reads.
+ */
 static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -211,7 +212,8 @@ static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attem
     redcc_store_classes(worker, classes);
 }
 
-/* Executes runs of iterations of which the thread owns all rows, or some. */
+/* Executes runs of iterations. The thread owns all rows of a plain iteration, and some rows of an
+ * owner-checked one. */
 static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;

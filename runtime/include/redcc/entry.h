@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** An object with loops of redcc/parallel.h calls the runtime through one function, redcc_run. */
+/** Declares redcc_run: the function through which an object with loops of redcc/loop.h or
+ * redcc/parallel.h calls the runtime. */
 #ifndef REDCC_ENTRY_H
 #define REDCC_ENTRY_H
 
@@ -9,7 +10,7 @@
  *  runtime. */
 enum { REDCC_INTERFACE = 4 };
 
-/** A loop in a file. Only the runtime writes to it. */
+/** A transformed loop. There is one static object for each; only the runtime writes to it. */
 typedef struct redcc_site {
     redcc_binned binned;
     const redcc_calls *calls; /* set by the first redcc_run */
@@ -22,26 +23,30 @@ typedef struct redcc_attempt {
     void *const *bases;
     const redcc_extent *known;
     const redcc_word *key;
-    const redcc_linkage *linkage; /* 0: the translation relies on no function of another file */
-    /* Operands of each iteration, which the caller uses afterwards. */
+    const redcc_linkage *linkage; /* functions on which the translation relies; 0: none */
+    /* Operands of scalar updates: each iteration stores its own, and the caller uses them after the
+     * loop. */
     redcc_u32 operand_count;
-    const redcc_size *operand_bytes; /* [operand_count] */
+    const redcc_size *operand_bytes; /* [operand_count] the size of one operand */
     void **operands; /* [operand_count], set by the runtime before any thread begins; if the loop is
                       * done, the caller frees them (series->release) */
     redcc_u32 series_count;
-    redcc_series **series;        /* [series_count], of redcc/series.h; likewise */
-    int threads;                  /* REDCC_TEAM: the number that the program requests; 0: none */
-    const redcc_extent *sections; /* REDCC_SECTIONED: [array_count] */
+    redcc_series **series; /* [series_count] variable numbers of operands per iteration
+                              (redcc/series.h); set and freed as `operands` are */
+    int threads; /* REDCC_TEAM: the number of threads that the program requests; 0: no request */
+    const redcc_extent *sections; /* [array_count] REDCC_SECTIONED: the section that OpenMP's clause
+                                     names; else 0 */
 } redcc_attempt;
 
-/** The function that each thread calls: it inspects and executes the chunks that it is handed. */
+/** The function that each thread calls. It inspects and executes the chunks that the runtime hands
+ * out to the thread. */
 typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, const void *context);
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-/** Executes a loop. 1: it is done. 0: nothing was written, and the sequential loop must run.
- *  `version`: the caller's REDCC_INTERFACE. If attempt is 0, it only sets site->calls. Thread-safe.
+/** Executes a loop. 1: the loop is done. 0: nothing was written, and the sequential loop must run.
+ * `version` is the caller's REDCC_INTERFACE. If attempt is 0, only sets site->calls. Thread-safe.
  */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
@@ -49,8 +54,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
 }
 #endif
 
-/** A scratch row that redcc_rows_end adds to its array: used with bins, locks and compensated sums.
- */
+/** A scratch row of contributions, which redcc_rows_end applies to the row of the array. Used with
+ * bins, locks and compensated sums. */
 typedef struct redcc_kept_row {
     redcc_u32 array;
     redcc_u32 bytes;

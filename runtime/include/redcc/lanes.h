@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Four iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md). One
- * operation computes the values of all four. Updates are made lane by lane, in the sequential order
- * of the iterations.
+ * Executes four iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md).
+ * One operation computes the values of all four lanes. Updates are made lane by lane, in the
+ * sequential order of the iterations.
  *
  * Generated text includes this file after runtime.h and after the pragmas that forbid contraction.
  * On x86-64 the vector functions are compiled for AVX2, independently of the program's options; the
- * runtime checks that the processor has it. 64-bit ARM has two lanes. On other processors
- * iterations are executed one by one.
+ * runtime checks that the processor has AVX2. On 64-bit ARM there are two lanes. On other
+ * processors iterations are executed one by one.
  */
 #ifndef REDCC_LANES_H
 #define REDCC_LANES_H
 
-/* gcc with -std=gnu89 -Wpedantic warns of variadic macros. */
+/* gcc with -std=gnu89 -Wpedantic warns about variadic macros. */
 #pragma GCC system_header
 
-/** The number of iterations at once. 0: one by one, if operations may be contracted or the compiler
- *  lacks the vector extensions of gcc and clang. gcc before 9 has no __builtin_convertvector. */
+/** The number of iterations executed at once. 0: iterations are executed one by one, because
+ * operations may be contracted or the compiler lacks the vector extensions of gcc and clang. gcc
+ * before 9 has no __builtin_convertvector. */
 #ifdef REDCC_IS_CHECKED
-#define REDCC_WIDTH 4 /* redcc parses its own output */
+#define REDCC_WIDTH 4 /* for redcc's check of its own output */
 #elif !REDCC_ROUNDS_ALIKE || (!defined(__clang__) && __GNUC__ < 9)
 #define REDCC_WIDTH 0
 #elif defined(__x86_64__)
@@ -29,7 +30,7 @@
 #define REDCC_WIDTH 0
 #endif
 
-/** The loop's flags for lanes. */
+/** The flags of redcc_loop for the vector form. */
 #if REDCC_WIDTH == 4 && !defined(__AVX2__)
 #define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTH)
 #else
@@ -48,13 +49,13 @@
 #define REDCC_TARGET __attribute__((__target__("avx2")))
 #endif
 
-/** Follows REDCC_QUIET_BEGIN; suppresses a further warning. */
+/** Suppresses one more warning; follows REDCC_QUIET_BEGIN. */
 #define REDCC_QUIET_LANES _Pragma("GCC diagnostic ignored \"-Wdeclaration-after-statement\"")
 
 /* ---- lanes ---------------------------------------------------------------------------------- */
 
-/* Evaluates an expression of redcc__l for each lane, as a list of initialisers. A loop over the
- * lanes would store them to memory and load them again. */
+/* Evaluates an expression of redcc__l for each lane, as a list of initialisers. With a loop over
+ * the lanes, compilers would store the values to memory and load them again. */
 #define REDCC_LANE(redcc_i, ...)                                                                   \
     __extension__({                                                                                \
         enum { redcc__l = redcc_i };                                                               \
@@ -73,36 +74,34 @@
 #define REDCC_VECTOR_INLINE REDCC_INLINE REDCC_TARGET
 #define REDCC_LANES_BODY static __attribute__((__noinline__, __unused__)) REDCC_TARGET void
 
-/** Executes the following statement for each lane redcc__l; or only for lanes that have an
- * iteration.
- */
+/** Executes the following statement for each lane redcc__l (REDCC_EACH_LANE), or for each lane that
+ * has an iteration (REDCC_EACH_ITERATION). */
 #define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < REDCC_WIDTH; redcc__l++)
 #define REDCC_EACH_ITERATION for (redcc__l = 0; redcc__l < redcc__block->count; redcc__l++)
 
-/** A vector of doubles; a vector of half the size with the same number of floats; a mask for both.
- */
+/** A vector of doubles; a vector of as many floats; a mask for each of these. */
 typedef double redcc_vector __attribute__((__vector_size__(8 * REDCC_WIDTH)));
 typedef float redcc_floats __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * REDCC_WIDTH)));
 typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 
-/** Gathers a double for each lane, or a float. */
+/** Evaluates a double, or a float, for each lane and makes a vector of them. */
 #define REDCC_GATHER(...) (__extension__(redcc_vector){REDCC_ALL(__VA_ARGS__)})
 #define REDCC_GATHER_FLOATS(...) (__extension__(redcc_floats){REDCC_ALL(__VA_ARGS__)})
 
-/** A mask of the lanes with a value other than 0. */
+/** A mask of the lanes in which the value is not 0. */
 #define REDCC_MASK(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
 
 /** Values of another type for each lane, as an array. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
     (__extension__(__typeof__(redcc_type)[REDCC_WIDTH]){REDCC_ALL(__VA_ARGS__)})
 
-/** Conversions of each lane as in C; and of the mask of a comparison of floats. */
+/** Conversions of each lane as in C; and the conversion of a mask for floats to one for doubles. */
 #define redcc_doubles_of(...) __builtin_convertvector((__VA_ARGS__), redcc_vector)
 #define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 
-/** Broadcasts a double, or float; not by an addition of 0, which would change -0.0. */
+/** Broadcasts a double or a float. An addition of 0 would change -0.0. */
 REDCC_VECTOR_INLINE redcc_vector redcc_same(double value) {
     return (__extension__(redcc_vector){REDCC_ALL(value)});
 }
@@ -120,9 +119,9 @@ REDCC_VECTOR_INLINE redcc_floats redcc_select_floats(redcc_mask lanes, redcc_flo
     return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));
 }
 
-/* Vector square roots in assembly. Compilers do not select these instructions, because the
- * library's function may have to set errno, and so they call it for each root. The second operand
- * order is for -masm=intel. */
+/* Vector square roots in assembly. Compilers call the library's function for each root instead of
+ * using these instructions, because that function may have to set errno. The second operand order
+ * in the text is for -masm=intel. */
 #if defined(__x86_64__) && !defined(REDCC_IS_CHECKED)
 #define REDCC_ROOTS(redcc_root, redcc_v)                                                           \
     __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(redcc_root) : "x"(redcc_v))
@@ -156,7 +155,8 @@ REDCC_VECTOR_INLINE redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     REDCC_ROOTS(root, value);
     return root;
 }
-/** Absolute values; fabs never sets errno. Compilers make one instruction of it. */
+/** Absolute values. fabs never sets errno, so that compilers compute all lanes with one
+ * instruction. */
 REDCC_VECTOR_INLINE redcc_vector redcc_lanes_fabs(redcc_vector value) {
     return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});
 }
@@ -167,8 +167,8 @@ REDCC_VECTOR_INLINE redcc_floats redcc_lanes_fabsf(redcc_floats value) {
     return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});
 }
 
-/** Tests at run time that in vector functions a product is rounded before an addition, and that a
- * constant is a double. No macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
+/** Tests at run time that vector functions round a product before an addition, and that constants
+ * are doubles. No macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
  * -fsingle-precision-constant. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_round_alike(void) {
     const volatile double factor = 134217729.0, less = 18014398777917440.0;
@@ -181,7 +181,7 @@ static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_ro
 
 /* ---- the executor ---------------------------------------------------------------------------- */
 
-/** Iterations that are executed at once, and whether each update must check the owner. A partial
+/** Iterations that are executed at once, and whether their updates must check the owner. A partial
  * block is padded with copies of its last iteration, which are computed but update nothing. */
 typedef struct redcc_block {
     redcc_int k[REDCC_WIDTH];
@@ -189,7 +189,8 @@ typedef struct redcc_block {
     int count;
 } redcc_block;
 
-/** Fills the block with the next iterations of the runs, in order. Returns their number. */
+/** Fills the block with the next iterations of the runs, in order. Returns the number of
+ * iterations. */
 REDCC_INLINE int redcc_block_fill(redcc_block *block, redcc_ahead *from) {
     int count = 0, l;
     for (; count < REDCC_WIDTH && redcc_ahead_step(from); count++) {
@@ -202,13 +203,13 @@ REDCC_INLINE int redcc_block_fill(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** Slice and body for one iteration, each compiled once. The body executes all iterations,
- * owner-checked or not, if the processor lacks such vectors or REDCC_LANES=off is set. */
+/** Slice and body for one iteration, each compiled once. This body executes all iterations,
+ * owner-checked or not, if the processor lacks AVX2 or REDCC_LANES=off is set. */
 #define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE
 #define REDCC_LANES_BY_CALLS REDCC_BY_CALLS
 #define REDCC_SCALAR_BODY static __attribute__((__noinline__, __unused__)) void
 
-/** Executes the chunk, REDCC_WIDTH iterations at once. */
+/** Executes chunks, REDCC_WIDTH iterations at once. */
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     for (;;) {                                                                                     \

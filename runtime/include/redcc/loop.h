@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Macros around a loop's slice and body in the short form of generated code. Each of the two is one
- * function; docs/generated-code.md shows a loop with both.
+ * Macros around a loop's slice and body in the short form of generated code. Slice and body are one
+ * function each; docs/generated-code.md shows a loop.
  *
  *     REDCC_SLICE f(REDCC_SLICE_PARAMETERS, ...)     records what one iteration touches:
  *       REDCC_TOUCH, REDCC_READ                        a row by its address,
@@ -31,8 +31,8 @@
 #define REDCC_UNFUSED_BLOCK
 #endif
 
-/* gcc warns of 2 ^ 5 in plain text but not in a macro's expansion, and it warns of more
- * uninitialised variables the more code it sees at once. */
+/* gcc takes 2 ^ 5 in generated text for a mistaken power, but not in the expansion of a macro. gcc
+ * also warns about more uninitialised variables the more code it inlines. */
 #if defined __GNUC__ && !defined __clang__ && __GNUC__ >= 13
 #define REDCC_QUIET_GCC                                                                            \
     _Pragma("GCC diagnostic ignored \"-Wmaybe-uninitialized\"")                                    \
@@ -57,14 +57,15 @@
                                         REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
-/** Hides a context from compilers. They would report a context without members that are set as an
- * uninitialised variable. */
+/** Hides from the compiler whether the context is set. Otherwise it would warn of an uninitialised
+ * variable if the loop sets none of the members. */
 REDCC_INLINE int redcc_hide_context(void *context) {
     __asm__ __volatile__("" : : "r"(context) : "memory");
     return 1;
 }
 
-/** Describes one execution: bases, address ranges of sources, key; and the loop's context. */
+/** Declares what describes one execution (bases, address ranges of sources, key), and the loop's
+ * context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
     redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                        \
@@ -81,7 +82,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
     __builtin_memset(redcc__context.redcc__progressions, 0,                                        \
                      sizeof redcc__context.redcc__progressions)
 
-/** Set the array's first element, and a value on which the subscripts depend. */
+/** Set the address of an array's first element, and a value on which the subscripts depend. */
 #define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
 #define REDCC_KEY(redcc_i, redcc_value) redcc__key[redcc_i] = (redcc_word)redcc_value
 
@@ -92,12 +93,12 @@ REDCC_INLINE int redcc_hide_context(void *context) {
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
 
 /** Executes a statement twice: for the rows that the first iteration reads, and for those that the
- * last reads. REDCC_FIRST_OR_LAST is the counter of that iteration. */
+ * last reads. REDCC_FIRST_OR_LAST is the counter of the iteration at hand. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
 #define REDCC_FIRST_OR_LAST(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
-/** The loop reads this row. If several rows of a source are given, it may read all rows between
- * them. */
+/** Describes a row that the loop reads. If several rows of a source are described, the loop may
+ * read all rows between them. */
 #define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
     do {                                                                                           \
         const char *const redcc__row = (const char *)&redcc_row;                                   \
@@ -106,7 +107,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
             redcc_progression_row(&redcc__context.redcc__progressions[redcc_i], redcc__row,        \
                                   sizeof(redcc_row), redcc__end, redcc__trip);                     \
     } while (0)
-/* A function and not a macro: it is called only before the loop. */
+/* A function, not a macro, because speed does not matter before the loop. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
@@ -114,7 +115,7 @@ redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (row + bytes > extent->end)
         extent->end = row + bytes;
 }
-/** The same for the element base[k + by]; `lost` as in redcc_exact_sum. */
+/** As redcc_known_row, for the element base[k + by] of `bytes` bytes. Sets *lost on overflow. */
 REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, redcc_int k,
                                       redcc_int by, redcc_int bytes, int *lost) {
     const redcc_int into = redcc_exact_product(redcc_exact_sum(k, by, lost), bytes, lost);
@@ -128,8 +129,8 @@ REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, re
 
 /** Reserves rbp for the function's frame pointer. Values that are live across redcc_run occupy
  * callee-saved registers, so the bases of the sequential loop in the same function might get rbp.
- * Loads by rbp and an index were slower than by other registers: 6 % of the time of a product with
- * a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
+ * Loads by rbp and an index were slower than by other registers: this cost 6 % of the time of a
+ * product with a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
 #if defined(__x86_64__)
 #define REDCC_KEEP_FRAME redcc_keep_frame(__builtin_frame_address(0))
 #else
@@ -139,13 +140,13 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** The table that redcc_run has set; 0: none yet. Another thread may set it at the same time. */
+/** The table that redcc_run has set; 0: not set yet. Another thread may set it at the same time. */
 REDCC_INLINE const redcc_calls *redcc_calls_of(const redcc_site *site) {
     return __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
 }
 
-/** Is the trip count positive and, for _LIGHT (short iterations), large enough? 0 if no runtime is
- *  linked. */
+/** Is the trip count positive and, for _LIGHT (short iterations), large enough? The answer is no if
+ * no runtime is linked. */
 #define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
 #define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
     (redcc_run && redcc_is_worth(&(redcc_site), redcc_trip))
@@ -154,8 +155,10 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
     return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
 }
 
-/** A pointer that the loop reads only under a condition is loaded before the loop, if the memory is
- *  readable: redcc_variable, from `redcc_offset` bytes after the target of `redcc_through`. */
+/** A pointer that the loop reads only under a condition may be loaded before the loop.
+ * REDCC_MAY_LOAD: is this allowed in this execution? REDCC_LOAD loads redcc_variable from
+ * `redcc_offset` bytes after the target of `redcc_through`. It returns 0 if that memory is not
+ * readable. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
      redcc_calls_of(&(redcc_site))->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
@@ -169,12 +172,12 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
     {
         const redcc_calls *const calls = redcc_calls_of(site);
-        return calls && calls->bytes >= sizeof *calls; /* smaller: an older library */
+        return calls && calls->bytes >= sizeof *calls; /* a smaller table: an older library */
     }
 }
 
-/** May the loop be executed without its OpenMP directives? If they protect its updates
- *  (redcc_locks), only while the process has no other running thread. */
+/** May the loop be executed without its OpenMP directives? If the directives protect the loop's
+ * updates (redcc_locks), only while no other thread of the process runs. */
 #define REDCC_REPLACES(redcc_site, redcc_locks)                                                    \
     (redcc_run && (!(redcc_locks) ||                                                               \
                    (redcc_is_known(&(redcc_site)) &&                                               \
@@ -183,8 +186,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
 #include <redcc/blocks.h>
 #include <redcc/crew.h>
 
-/** Executes the loop in parallel: 1; or 0: nothing was written, and the original loop must run.
- *  Marked unlikely, so that the compiler gives the registers to the sequential loop. */
+/** Executes the loop in parallel. 1: it is done. 0: nothing was written, and the original loop must
+ * run. Marked unlikely, so that the compiler gives the registers to the sequential loop. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower, REDCC_KEEP_FRAME,                                   \
      redcc__attempt.trip = redcc__trip, redcc__attempt.first = redcc__lower,                       \
@@ -194,8 +197,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
                                      redcc_member, &redcc__context),                               \
                            0))
 
-/** REDCC_SECTIONED: declares the sections, and sets that of array redcc_i: redcc_length elements
- * from element redcc_lower of redcc_array on. */
+/** For REDCC_SECTIONED: declares the sections, and sets the section of array redcc_i. It has
+ * redcc_length elements of redcc_array, the first of which is element redcc_lower. */
 #define REDCC_SECTIONS(redcc_arrays)                                                               \
     redcc_extent redcc__sections[redcc_arrays];                                                    \
     redcc__attempt.sections = redcc__sections
@@ -209,7 +212,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
             (redcc_int)(redcc_length) * (redcc_int)sizeof *(redcc_array);                          \
     } while (0)
 
-/** The runtime allocates an operand of each iteration for `redcc_count` updates;
+/** Requests memory for the operands of `redcc_count` updates, one operand per iteration and update.
  * redcc__operand_bytes has their sizes. */
 #define REDCC_OPERANDS(redcc_count)                                                                \
     void *redcc__operands[redcc_count];                                                            \
@@ -221,7 +224,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
-/** Stores iteration redcc__k's value, of type redcc_type, in its own element if the bits differ. */
+/** Copies the value stored for iteration redcc__k, of type redcc_type, to the iteration's own
+ * element if their bits differ. */
 #define REDCC_STORE_KEPT(redcc_element, redcc_type, redcc_kept)                                    \
     do {                                                                                           \
         const redcc_type *const redcc__of_iteration = (const redcc_type *)redcc_kept + redcc__k;   \
@@ -241,7 +245,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     const redcc_int redcc__lower __attribute__((__unused__)) = redcc__attempt->first;              \
     const redcc_int redcc__trip __attribute__((__unused__)) = redcc__attempt->trip
 
-/** In the body of the last iteration: 1 for exactly one of the threads that execute it. */
+/** Used in the body of the last iteration: 1 for exactly one of the threads that execute it. */
 #define REDCC_CLAIMS_LAST redcc__worker->call->calls->claims_last(redcc__worker)
 
 /** A spin lock, held only for a few instructions. */
@@ -253,10 +257,10 @@ REDCC_INLINE void redcc_unlock(int *lock) {
     __atomic_store_n(lock, 0, __ATOMIC_RELEASE);
 }
 
-/** The induction variable, of type redcc_type, redcc_offset after its first value. Compilers may
- *  assume that the conversion preserves the value, and so they increment addresses. Otherwise they
- *  would sign-extend the value and compute the address in each iteration: two instructions of 43 in
- *  springs (script/bench choice), 10 % of the time with two threads. */
+/** The induction variable's value, of type redcc_type, redcc_offset after its first value.
+ * Compilers may assume that the conversion preserves the value, so that they can increment
+ * addresses. Otherwise they would sign-extend the value and compute the address in each iteration:
+ * two instructions of 43 in springs (script/bench choice), 10 % of the time with two threads. */
 #define REDCC_COUNTER(redcc_type, redcc_offset)                                                    \
     (redcc_assume((redcc_int)(redcc_type)(redcc__lower + (redcc_offset)) ==                        \
                   redcc__lower + (redcc_offset)),                                                  \
@@ -266,7 +270,7 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         __builtin_unreachable();
 }
 
-/** After the original loop: method `auto` learns its time. */
+/** Follows the original loop: gives its time to method `auto`. */
 #define REDCC_OVER(redcc_site)                                                                     \
     do {                                                                                           \
         const redcc_calls *const redcc__calls =                                                    \
@@ -279,8 +283,8 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
 
 /* ---- the body ------------------------------------------------------------------------------ */
 
-/** Qualifiers of a body. redcc__checked is a constant in each call, so that each is compiled
- *  separately. */
+/** Qualifiers of a body. redcc__checked is a constant in each call, so that each call is compiled
+ * separately. */
 #define REDCC_BODY REDCC_INLINE void
 
 /** Marked cold: otherwise gcc would keep the body's constants in memory, because no floating-point
@@ -294,29 +298,32 @@ REDCC_INLINE int redcc_is_owned(const redcc_worker *worker, const redcc_owner *o
     return redcc_has(owner, address) ||
            (owner->hook && redcc_call_hook(worker, owner->hook, address));
 }
-/* redcc_is_owned for long iterations: not inlined. */
+/* As redcc_is_owned, but not inlined; for long iterations. */
 static __attribute__((__noinline__, __unused__)) int
 redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
     return redcc_is_owned(worker, owner, address);
 }
 
-/** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */
+/** Precedes an update of array number redcc_i. In the owner-checked form the thread makes the
+ * update only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
     if (!redcc__checked ||                                                                         \
         (redcc__by_calls ? redcc_is_owned_by_call(redcc__worker, redcc__own_##redcc_i, redcc_at)   \
                          : redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at)))
 
-/** Begins an inner iteration. In the owner-checked form the thread skips it if it owns none of the
- * rows that it would update. */
+/** Begins an inner iteration. In the owner-checked form the thread skips the inner iteration if it
+ * owns none of the rows that it would update. */
 #define REDCC_INNER_ITERATION(redcc_owned)                                                         \
     if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;
-/** For a loop without series: must the thread execute every inner iteration, whatever it owns? */
+/** For a loop without series: must the thread execute every inner iteration, even if it owns none
+ * of the rows? */
 #define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
-/* For each array of a chunk: the base to write to, and the elements that the thread owns. */
+/* Parameters and arguments for the arrays of a chunk: the base to write to, and the elements that
+ * the thread owns. */
 #define REDCC_BODY_PARAMETERS_1                                                                    \
     redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__checked,       \
         const redcc_owner *const redcc__own_0
@@ -343,8 +350,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 
 #include <redcc/tiles.h>
 
-/** Executes the runs from redcc__run to redcc__run_end, owner-checked or plain: with prefetches in
- *  steps of one iteration, else each run at once. */
+/** Executes the runs from redcc__run to redcc__run_end, owner-checked or plain. With prefetches, it
+ * steps by one iteration; otherwise it executes each run at once. */
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
@@ -365,8 +372,9 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         }                                                                                          \
     }
 
-/** Classifies iterations: does the thread own a row that they touch? The classes go to a local
- *  array, so that the compiler sees that storing them does not change the slice's reads. */
+/** Classifies iterations by whether the thread owns the rows they touch. The classes are stored in
+ * a local array first, so that the compiler sees that storing them does not change the slice's
+ * reads. */
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__source_mask = 0;                                                    \
@@ -380,8 +388,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         redcc_store_classes(redcc__worker, redcc__class);                                          \
     }
 
-/** Precedes a block that executes the next chunk. As often as the runtime requests, iterations are
- * classified first. */
+/** Precedes a block that executes the next chunk. Whenever the runtime requests it, classifies
+ * iterations first. */
 #define REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
     for (;;) {                                                                                     \
         redcc__chunk_kind = redcc__worker->call->calls->next(redcc__worker);                       \
@@ -393,7 +401,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 /** Executes chunks run by run, owner-checked or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
-/** The same; if the runtime requests it at the end, iterations are executed a second time. */
+/** As REDCC_EXECUTE, but if the runtime requests it at the end, iterations are executed a second
+ * time. */
 #define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
                           redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
@@ -421,33 +430,32 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 #define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
 
-/** In the step expression of such a loop in the body: prevents unrolling of owner-checked
- * iterations.
- */
+/** Used in the step expression of such a loop in the body. Prevents unrolling of owner-checked
+ * iterations. */
 #define REDCC_ROLLED(redcc_counter)                                                                \
     __extension__({                                                                                \
         if (redcc__checked)                                                                        \
             __asm__("" : "+r"(redcc_counter));                                                     \
     })
 
-/* ---- all of it ----------------------------------------------------------------------------- */
+/* ---- the function of each thread ------------------------------------------------------------ */
 
-/** A thread joins the region and inspects the blocks that the runtime hands out. */
+/** The thread joins the region and inspects the blocks that the runtime hands out. */
 #define REDCC_JOIN(redcc_call_of_slice)                                                            \
     redcc_worker *const redcc__recorder = redcc__worker;                                           \
     redcc_int redcc__k;                                                                            \
     REDCC_INSPECT(redcc_call_of_slice)
 
-/** Executed by each thread: inspects the iterations that the runtime hands out for inspection, then
- * executes those that it hands out for execution. redcc__k is the iteration's number. */
+/** Executed by each thread. Inspects the iterations that the runtime hands out for inspection, then
+ * executes the iterations that it hands out for execution. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 
-/** The same if iterations may be handed out a second time (redcc/series.h), and if one of the
- * threads that execute an iteration is its leader. */
+/** As REDCC_PARALLEL, for loops with series (redcc/series.h): iterations may be handed out a second
+ * time, and one of the threads that execute an iteration is its leader. */
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \

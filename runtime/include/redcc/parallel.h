@@ -3,12 +3,11 @@
 /**
  * redcc/parallel.h: irregular reductions in parallel, with the bits of the sequential loop.
  *
- * A loop adds to elements or rows b[i] of arrays, and i comes from memory. It is described by a few
- * small functions. From them the runtime learns which iterations update which rows. It gives each
- * row to one thread and executes the loop. Each row gets its updates in the order of the loop: the
- * result is that of the sequential loop, bit for bit, at every number of threads.
- * docs/by-hand.md has the first steps, examples/by-hand has four loops and
- * a program that checks them.
+ * A loop adds to elements or rows b[i] of arrays, where i is loaded from memory. You describe the
+ * loop by a few small functions. From them the runtime learns which iterations update which rows.
+ * It gives each row to one thread, and executes the loop. Each row gets its updates in the order of
+ * the loop, so the result is that of the sequential loop, bit for bit, at every number of threads.
+ * docs/by-hand.md has the first steps; examples/by-hand has four loops and a program to check them.
  *
  *     struct NAME {...};                 the context: the values and pointers that the loop uses
  *     REDCC_SLICE(NAME, int t) {...}     names the rows that iteration t updates and reads
@@ -22,34 +21,35 @@
  *     #define REDCC_WHERE "file.c", 12, "function"         for reports
  *     #define REDCC_ARRAYS 1                               entries of NAME_arrays
  *     #define REDCC_SOURCES 2                              entries of NAME_sources; 0: none
- *     #include <redcc/define_loop.h>                       has the options, and defines:
+ *     #include <redcc/define_loop.h>                       lists the options, and defines:
  *
  *     int NAME_run(const struct NAME *)        1: the loop is done. 0: nothing was written; execute
  *                                              the sequential loop, then call NAME_over()
- *     void NAME_over(void)                     the runtime learns from the time in between
- *     void NAME_execute(const struct NAME *)   does the loop in any case: by NAME_run, or else the
- *                                              body for each iteration in order, then NAME_over
+ *     void NAME_over(void)                     ends the sequential loop, which the runtime times
+ *     void NAME_execute(const struct NAME *)   executes the loop in any case: by NAME_run, or else
+ *                                              by the body for each iteration in order
  *
- * In all functions `loop` is the context (constant) and `it` the argument of the calls below. If
- * several threads call NAME_run at once, one of them runs in parallel, the others sequentially.
+ * In all functions `loop` points to the context, which is constant, and `it` is the first argument
+ * of the calls below. If several threads call NAME_run at once, one of them runs the loop in
+ * parallel, and for the others NAME_run returns 0.
  *
- * SLICE. Its calls may come any number of times and in any order. A superfluous row costs time; a
- * missing row gives wrong results (REDCC_VALIDATE=1 finds it). Values that decide which rows are
- * named come only from the context, from sources marked as subscripts, and from redcc_depends_on.
+ * SLICE. It makes its calls in any order, and may repeat them. A superfluous row costs time; a
+ * missing row gives wrong results (REDCC_VALIDATE=1 finds it). Which rows it names may depend only
+ * on t, on sources marked as subscripts, and on values that are given to redcc_depends_on.
  *     redcc_updates(it, ARRAY, base, row)              the iteration may update base[row]
  *     redcc_reads(it, SOURCE, base, row)               it may read base[row]; for sources that the
  *                                                      description gives by redcc_reads_named
  *     redcc_updates_bytes(it, ARRAY, address, bytes)   the same if rows do not begin at
  *     redcc_reads_bytes(it, SOURCE, address, bytes)    a constant base
  *
- * BODY. It writes to the arrays only by these calls and reads none of them. It may be executed more
- * than once for one iteration, so its only effects are its updates. ARRAY is a constant.
+ * BODY. It writes to the arrays only through these calls and reads none of them. It may be executed
+ * several times for one iteration, so its updates must be its only effects. ARRAY is a constant.
  *     redcc_base(it, ARRAY, loop->b)      where to write in place of loop->b (perhaps a copy)
  *     redcc_add(it, ARRAY, &b[i], v)      b[i] += v. Also redcc_subtract, redcc_multiply,
  *                                         redcc_and, redcc_or, redcc_xor
  *     redcc_minimum(it, ARRAY, &b[i], v)  if (v < b[i]) b[i] = v. redcc_maximum: by >
- *     redcc_row(it, ARRAY, &b[i])         a pointer to update the row by: &b[i], or a scratch row if
- *                                         another thread makes the update. Valid until the
+ *     redcc_row(it, ARRAY, &b[i])         a pointer for updating the row: &b[i], or a scratch row
+ *                                         if another thread makes the update. Valid until the
  *                                         iteration's end or redcc_rows_end(it). Each element is
  *                                         updated at most once, by the array's operator (or by
  *                                         - for +) with a value of the element's type. Rows are
@@ -60,35 +60,36 @@
  *     redcc_concerns(it, ARRAY, &b[i])    0: this thread does not update that row now, so that an
  *                                         inner iteration may be skipped
  *
- * DESCRIBE. Each call once; read before NAME_run returns. It reads nothing through pointers.
+ * DESCRIBE. It describes each array, source and key once, and reads nothing through pointers.
  *     redcc_iterations(it, first, count)               t = first, first + 1, ... (or REDCC_STEP)
- *     redcc_updates_array(it, ARRAY, base)
- *     redcc_reads_rows(it, SOURCE, base, row, count)   at most these rows are read
+ *     redcc_updates_array(it, ARRAY, base)             base: the address of row 0
+ *     redcc_reads_rows(it, SOURCE, base, row, count)   at most `count` rows from `row` on are read
  *     redcc_reads_named(it, SOURCE, base)              the slice names the rows by redcc_reads
  *     redcc_depends_on(it, KEY, value)                 another value that rows depend on; KEY
  *                                                      counts from 0
  *     redcc_give_up(it, condition)                     leaves this execution to the sequential loop
  *
- * ENTRIES. Names appear in reports. A row is the extent of one redcc_updates.
+ * ENTRIES. Names appear in reports. A row is the memory that one redcc_updates names.
  *     REDCC_ARRAY(name, operator, type, n)   rows of n numbers; operator: REDCC_SUM (also for -),
  *                                            REDCC_PRODUCT, REDCC_MINIMUM, REDCC_MAXIMUM,
  *                                            REDCC_AND, REDCC_OR, REDCC_XOR; type: one word
  *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is reused while
  *                                            all that was read of these is unchanged
- *     REDCC_READ(name)                       is read only for values
+ *     REDCC_READ(name)                       does not decide which rows are updated
  *     REDCC_KEPT(ARRAY, type, n)             updates may be stored and made later, in order (binning:
  *                                            for subscripts that change in each call). n: numbers
  *                                            in a row, or 1 with redcc_add and the like. Either all
- *                                            arrays have one, in their order, or none. The body
- *                                            then has no division, loop bound or address that
- *                                            depends on memory which an update might overlap.
+ *                                            arrays have an entry, in the same order, or none has.
+ *                                            The body then has no division, loop bound or address
+ *                                            that depends on memory which an update may overlap.
  *
- * The object refers to one symbol, redcc_run, weakly: if the runtime is not linked, NAME_run
- * returns 0. With -DREDCC_OFF it refers to none. Your own flags compile it: no OpenMP option is
- * needed, and none interferes. C89 with GNU extensions to C23, and C++; gcc 9, clang 14 and later.
- * Sizes are in bytes unless they are called rows or counts. Detected misuse stops the program with
- * a message. Including this file forbids the contraction of a * b + c in the rest of the file, as
- * two copies of one expression would be contracted differently.
+ * The object refers to one symbol of the runtime, redcc_run, weakly: if the runtime is not linked,
+ * NAME_run returns 0. With -DREDCC_OFF it refers to none. Compile it with your own options; no OpenMP
+ * option is needed, and none interferes. The language is C89 with GNU extensions to C23, or C++;
+ * the compiler is gcc 9, clang 14, or later. Sizes are in bytes unless they are called rows or
+ * counts. Detected misuse stops the program with a message. Including this file forbids the
+ * contraction of a * b + c (to a fused multiply-add) in the rest of the file. Otherwise two copies
+ * of one expression might be contracted differently.
  */
 /* clang-format on */
 #ifndef REDCC_PARALLEL_H
@@ -107,7 +108,8 @@
     REDCC_INLINE void name##_slice(const redcc_slice *it, counter, const struct name *loop)
 #define REDCC_BODY(name, counter)                                                                  \
     REDCC_INLINE void name##_body(redcc_body *it, counter, const struct name *loop)
-/** For a body of some hundred operations: compiled once for all modes. Requires REDCC_ONE_BODY. */
+/** For a body of several hundred operations: it is compiled once for all modes. Requires
+ * REDCC_ONE_BODY. */
 #define REDCC_HEAVY_BODY(name, counter)                                                            \
     REDCC_ONCE void name##_body(redcc_body *it, counter, const struct name *loop)
 #define REDCC_DESCRIBE(name)                                                                       \
@@ -121,7 +123,8 @@
     { name, 0 }
 #define REDCC_KEPT(array, type, n) REDCC_KEPT_BY(0, array, type, n, (n) * sizeof(type))
 /** As REDCC_KEPT, with the file's own apply function (0: the library's) and records of `bytes`
- * bytes: if doubles are added to a float, records have 8. */
+ * bytes. Records may have a wider type than the array: for doubles added to floats, they have 8
+ * bytes per number. */
 #define REDCC_KEPT_BY(apply, array, type, n, bytes)                                                \
     { apply, 1, {array, 0, 0, 0}, {(n) * sizeof(type), 0, 0, 0}, bytes, 0, REDCC_IS_INTEGER(type) }
 
@@ -133,8 +136,8 @@
     redcc_slice_read_row(it, source, &(base)[row], base, (redcc_int)(row), sizeof((base)[row]))
 #define redcc_updates_bytes(it, array, address, bytes) redcc_slice_update(it, array, address, bytes)
 #define redcc_reads_bytes(it, source, address, bytes) redcc_slice_read(it, source, address, bytes)
-/** Returns 1 if the slice must return at once. Called after an update, and after a read that may
- *  overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
+/** Return 1 if the slice must return at once. Called after an update, and after a read that may
+ * overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
 #define redcc_is_finished(it) redcc_slice_finished(it)
 #define redcc_is_outdated(it, source) redcc_slice_outdated(it, source)
 

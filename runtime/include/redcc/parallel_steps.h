@@ -18,9 +18,9 @@
 
 enum {
     REDCC_MOST_ARRAYS = 6,
-    REDCC_MOST_ROWS = 16,   /* maximum number of rows that are open and kept at once */
+    REDCC_MOST_ROWS = 16,   /* maximum number of rows that are open at once */
     REDCC_ROW_BYTES = 1024, /* maximum size of a row */
-    REDCC_ROWS_BYTES = 2048 /* maximum size of all open rows */
+    REDCC_ROWS_BYTES = 2048 /* maximum size of all open rows together */
 };
 
 #ifdef __clang__
@@ -52,7 +52,7 @@ template <typename redcc_t> struct redcc_same<redcc_t, redcc_t> {
 #define REDCC_IS_FLOATING(value)                                                                   \
     (REDCC_IS_REAL(value) || REDCC_IS_COMPLEX(value, float) || REDCC_IS_COMPLEX(value, double))
 #define REDCC_IS_INTEGER(type) (!REDCC_IS_FLOATING((type)0))
-/* __real__, because it must compile for complex numbers as well. */
+/* Uses __real__, because it must compile for complex numbers as well. */
 #define REDCC_IS_UNSIGNED(zero) (__real__((__typeof__(zero))-1) > 0)
 #define REDCC_NUMBER_TYPE(zero, bytes)                                                             \
     (REDCC_IS_TYPE(zero, float)         ? REDCC_FLOAT                                              \
@@ -76,8 +76,8 @@ typedef struct redcc_description {
     int gives_up;
     void **bases;
     redcc_extent *known;
-    redcc_word *starts; /* keys of each source */
-    redcc_word *extra;  /* other keys (redcc_depends_on) */
+    redcc_word *starts; /* for each source, its base as a part of the key */
+    redcc_word *extra;  /* the other values of the key (redcc_depends_on) */
 } redcc_description;
 
 REDCC_INLINE void redcc_describe_rows(redcc_description *it, redcc_u32 source, const void *start,
@@ -99,12 +99,12 @@ REDCC_INLINE void redcc_describe_named(redcc_description *it, redcc_u32 source, 
     it->known[source].end = 0;
 }
 
-/* ---- slices: all fields are constants in each use ---- */
+/* ---- slices: each use has constant fields ---- */
 
 typedef struct redcc_slice {
     redcc_probe *probe; /* not 0: the slice compares with known ranges */
     redcc_worker *worker;
-    redcc_u32 sources; /* not 0: the slice reports only reads of the sources with these bits */
+    redcc_u32 sources; /* not 0: the slice reports only reads of the sources whose bits are set */
 } redcc_slice;
 
 REDCC_INLINE void redcc_slice_update(const redcc_slice *it, redcc_u32 array, const void *address,
@@ -156,12 +156,13 @@ REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
 
 /* ---- bodies ---- */
 
-/** Mode of a body, a constant in each use. PLAIN: makes all updates; OWNED: only those of owned
- *  elements; KEEPING: pushes them to bins; COPYING: makes them on private copies. */
+/** Mode of a body, a constant in each use. PLAIN: it makes all updates. OWNED: it makes only
+ * updates of owned elements. KEEPING: it pushes updates to bins. COPYING: it makes them on private
+ * copies. */
 enum { REDCC_PLAIN = 0, REDCC_OWNED = 1, REDCC_KEEPING = 2, REDCC_COPYING = 3 };
 
-/** The open rows, and memory for their values. Separate from redcc_body, whose address must not
- * escape, so that its fields stay in registers. */
+/** The open rows (redcc_row), and memory for their values. Separate from redcc_body, whose address
+ * must not escape, so that its fields stay in registers. */
 typedef struct redcc_rows {
     redcc_kept_row kept[REDCC_MOST_ROWS];
     char values[REDCC_ROWS_BYTES] __attribute__((__aligned__(16)));
@@ -169,13 +170,13 @@ typedef struct redcc_rows {
 
 typedef struct redcc_body {
     int mode;
-    int count;       /* number of kept rows */
-    redcc_size used; /* bytes of rows->values */
+    int count;       /* number of rows in rows->kept */
+    redcc_size used; /* number of bytes in use of rows->values */
     redcc_rows *rows;
     redcc_worker *worker;
     const redcc_array *arrays;
-    const redcc_stream *streams; /* each array's; 0: updates are not pushed */
-    const redcc_bins *bins;      /* of each array */
+    const redcc_stream *streams; /* the stream of each array; 0: updates are not pushed */
+    const redcc_bins *bins;      /* the bins of each array */
     void *base[REDCC_MOST_ARRAYS];
     redcc_owner owner[REDCC_MOST_ARRAYS];
 } redcc_body;
@@ -187,7 +188,7 @@ REDCC_INLINE int redcc_owns_at(const redcc_body *it, redcc_u32 array, const void
     return owner->hook && it->worker->call->calls->hooked(owner->hook, address);
 }
 
-/** The number of the row, or of the element, at an address. */
+/** The number of the row, or of the element, that is at `address`. */
 REDCC_INLINE redcc_int redcc_number_of(const redcc_body *it, redcc_u32 array, const void *address) {
     return ((redcc_int)((redcc_size)address - (redcc_size)it->base[array])) /
            (redcc_int)it->streams[array].rows[0];
@@ -215,7 +216,8 @@ REDCC_INLINE int redcc_is_concerned(const redcc_body *it, redcc_u32 array, const
     return it->mode != REDCC_OWNED || redcc_owns_part(&it->owner[array], address, bytes);
 }
 
-/** Sets values to the neutral element: for sums -0.0, because 0.0 + -0.0 is 0.0. */
+/** Sets values to the neutral element of the array's operator. For sums it is -0.0, because 0.0 +
+ * -0.0 is 0.0 and -0.0 + -0.0 is -0.0. */
 REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *values,
                                      redcc_size bytes) {
     const redcc_array *const is = &it->arrays[array];
@@ -227,18 +229,20 @@ REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *valu
         it->worker->call->calls->fill(is, values, bytes);
 }
 
-/** A scratch row of neutral elements. Later rows may share its memory, unless it is kept. */
+/** Returns a scratch row of neutral elements. Later scratch rows may share its memory, unless it is
+ * in rows->kept. */
 REDCC_INLINE void *redcc_neutral_row(redcc_body *it, redcc_u32 array, redcc_size bytes) {
     char *values;
     if (__builtin_expect(it->used + bytes > REDCC_ROWS_BYTES, 0))
-        it->used = 0; /* scratch rows that are not kept are never read, so they may share memory */
+        it->used =
+            0; /* scratch rows outside of rows->kept are never read, so they may share memory */
     values = it->rows->values + it->used;
     it->used += (bytes + 15) & ~(redcc_size)15;
     redcc_fill_neutral(it, array, values, bytes);
     return values;
 }
 
-/** The same for a row that redcc_rows_end adds to its array. */
+/** Returns a scratch row in rows->kept, which redcc_rows_end applies to its array. */
 REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     redcc_kept_row *kept;
     if (__builtin_expect(it->count == REDCC_MOST_ROWS || it->used + bytes > REDCC_ROWS_BYTES, 0))
@@ -256,7 +260,7 @@ REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, re
 REDCC_INLINE void *redcc_row_of(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     switch (it->mode) {
     case REDCC_PLAIN:
-#if !defined(__clang__) /* gcc would recompute &row[c] for each c: 8 % of the time of springs */
+#if !defined(__clang__) /* else gcc recomputes &row[c] for each c: 8 % of the time of springs.c */
         __asm__("" : "+r"(row));
 #endif
         return row;
@@ -281,7 +285,7 @@ REDCC_INLINE void redcc_push_number(const redcc_body *it, redcc_u32 array, const
                record);
 }
 
-#ifdef __clang__ /* clang would warn where it does not unroll, as under sanitizers */
+#ifdef __clang__ /* clang would warn if it does not unroll, for example with sanitizers */
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif
@@ -302,14 +306,14 @@ REDCC_INLINE void redcc_end_rows(redcc_body *it) {
 #pragma clang diagnostic pop
 #endif
 
-/* Converts a subtraction to an addition: the negated value. -0.0 - value is -value and keeps the
+/* The value whose addition replaces a subtraction of `value`. -0.0 - value is -value and keeps the
  * sign of a NaN; integers wrap around. `sum` has the type in which the update is computed. */
 #define REDCC_NEGATED(sum, value)                                                                  \
     (REDCC_IS_FLOATING(sum) ? (__typeof__(sum))((__typeof__(sum))-0.0 - (value))                   \
                             : (__typeof__(sum))(0 - (redcc_word)(value)))
 
-/* Pushes an update's operand: floating values in the type in which they are computed, integers in
- * the element's type, in which they wrap around alike. */
+/* Pushes an update's operand. Floating values are pushed in the type in which the update is
+ * computed; integers in the element's type, in which they wrap around to the same result. */
 #define REDCC_IS_WIDE(at, value) (REDCC_IS_FLOATING(*(at)) || REDCC_IS_FLOATING(*(at) + (value)))
 #define REDCC_KEEP_UPDATE(it, array, redcc_at, value, record)                                      \
     do {                                                                                           \

@@ -3,33 +3,34 @@
  * Prefetches of rows that later iterations update and read, in the executor of loop.h.
  *
  * The slice of a later iteration of the same thread computes the addresses, as it did for the
- * inspector. It reads memory that is known to be readable, and unmodified while the loop runs. The
- * rows that the slice itself reads are prefetched twice as far ahead, if consecutive iterations
- * read them at equal distances. A prefetch stores nothing, so no result depends on it. Of each row
- * the cache lines of its first 256 bytes and that of its last byte are prefetched.
+ * inspector. It reads only memory that is known to be readable, and which is unmodified while the
+ * loop runs. The rows that the slice itself reads are prefetched twice as far ahead, if consecutive
+ * iterations read them at equal distances. A prefetch stores nothing, so no result depends on it.
+ * Of each row, the cache lines of its first 256 bytes and the cache line of its last byte are
+ * prefetched.
  *
  * loop.h includes this file.
  */
 #ifndef REDCC_PREFETCH_H
 #define REDCC_PREFETCH_H
 
-/* The distance in iterations; 0: no prefetches. REDCC_PREFETCH hides it by another constant in the
- * block of a loop whose iterations are long enough. */
+/* The prefetch distance in iterations; 0: no prefetches. In the block of a loop whose iterations
+ * are long enough, REDCC_PREFETCH declares another constant with this name, which hides it. */
 enum { redcc__prefetches = 0 };
 
-/** In the block of a loop: its executor prefetches this number of iterations ahead, if the runtime
- * finds that profitable. These iterations take as long as a memory access. A larger distance
- * occupied more entries of the first-level TLB and was slower on shuffled data. */
+/** Used in the block of a loop: the executor prefetches this number of iterations ahead, if the
+ * runtime finds that profitable. Together these iterations take as long as a memory access. A
+ * larger distance occupied more entries of the first-level TLB and was slower on shuffled data. */
 #define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
-/* Bytes of a cache line, and the maximum number of bytes of a row that are prefetched: hardware
- * prefetchers detect longer sequences. */
+/* Size of a cache line, and the maximum number of bytes of a row that are prefetched. Hardware
+ * prefetchers detect longer sequences. Both in bytes. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
 /** Prefetches a row. The address need not be valid. */
 REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
-    /* Rows of 8-byte numbers begin at a multiple of 8: no third line lies between those of two
-     * bytes up to 71 bytes apart. */
+    /* Rows of 8-byte numbers begin at a multiple of 8. Then two bytes at most 71 bytes apart are in
+     * the same cache line or in adjacent ones. */
     const redcc_size apart = redcc_prefetch_line - 1 + (bytes % 8 == 0 ? 8 : 1);
     redcc_size at = 0;
     __builtin_prefetch((const void *)(redcc_size)address);
@@ -41,8 +42,8 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
         __builtin_prefetch((const void *)((redcc_size)address + bytes - 1));
 }
 
-/** In the slice: the iteration reads redcc_base[redcc_row], which is prefetched but not recorded.
- */
+/** Used in the slice: the iteration reads redcc_base[redcc_row], which is prefetched but not
+ * recorded. */
 #define REDCC_AHEAD(redcc_base, redcc_row)                                                         \
     if (!redcc__worker)                                                                            \
     redcc_prefetch((const char *)((redcc_size)(redcc_base) +                                       \
@@ -69,7 +70,7 @@ redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes, 
     if (trip > 1)
         step = ((redcc_int)(redcc_size)row - (redcc_int)it->first) / (trip - 1);
     it->step = step;
-    /* If the row is a member of a structure, prefetches the whole structure. */
+    /* If the row is a member of a structure, the whole structure is prefetched. */
     if (step > (redcc_int)bytes && step <= redcc_prefetch_most)
         it->bytes = (redcc_size)step;
 }
@@ -81,7 +82,7 @@ REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
     return ++it->k < it->end || it->calls->next_run(it);
 }
 
-/** Prefetches the reads of that iteration. */
+/** Prefetches the rows that iteration ahead->k reads. */
 REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int count,
                                               const redcc_ahead *ahead) {
     int i;
@@ -95,7 +96,8 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
         }
 }
 
-/** Precedes the current runs: starts the prefetcher at this distance, if it is enabled. */
+/** Precedes the execution of the current runs: starts prefetching at this distance, if it is
+ * enabled. */
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead, redcc__farther;                                                      \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
@@ -107,8 +109,8 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
         redcc__calls->rows(redcc__rows, redcc__context->redcc__progressions, REDCC_PROGRESSIONS);  \
     }
 
-/** Precedes an iteration: prefetches the reads of the farther iteration, then runs the slice of the
- *  nearer one; a slice without a worker prefetches. */
+/** Precedes an iteration: prefetches the rows that the iteration twice as far ahead reads, then
+ * runs the slice of the nearer iteration. A slice without a worker prefetches. */
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
     {                                                                                              \
         if (redcc__is_prefetching && redcc_ahead_step(&redcc__farther))                            \

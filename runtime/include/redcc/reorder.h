@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Orders of rows and iterations that improve locality, for a program that may renumber its mesh.
- * First it orders the rows, by the graph of the iterations that update them or along a curve
- * through their points; then the iterations, by their rows.
+ * The program first orders its rows, by the graph of the iterations that update them or along a
+ * curve through their points. Then it orders the iterations by their rows.
  *
  * An order is a permutation new_of_old: record i becomes record new_of_old[i].
  * redcc_reorder_records moves data from one order to another, and back.
@@ -17,8 +17,7 @@
 #include <stddef.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
-                     */
+#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default)
@@ -29,8 +28,9 @@ extern "C" {
 #endif
 
 /**
- * Orders rows by reverse Cuthill-McKee: rows that one iteration updates are neighbours.
- *   trip, touches   number of iterations, and of rows that each of them updates
+ * Orders rows by reverse Cuthill-McKee: in the graph, the rows that one iteration updates are
+ * neighbours.
+ *   trip, touches   number of iterations; number of rows that each iteration updates
  *   row             [trip * touches] these rows: 0 <= row < rows
  *   new_of_old      [rows] the result
  */
@@ -53,7 +53,8 @@ int redcc_reorder_points(int count, int dimensions, const double *point, int *ne
 int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_old);
 
 /**
- * Permutes records of `bytes` bytes each: record i to new_of_old[i]; `back`: the inverse.
+ * Permutes records of `bytes` bytes each: record i moves to new_of_old[i] or, if `back` is
+ * set, from there to i.
  *   record       [count]
  *   new_of_old   [count] a permutation
  */

@@ -3,19 +3,19 @@
  * The interface of the redcc runtime for generated code. docs/generated-code.md shows a whole loop.
  *
  * One execution of a transformed loop calls, in this order:
- *  - redcc_is_worth_entering, only for short iterations: is the trip count large enough?
+ *  - redcc_is_worth_entering (only if iterations are short): is the trip count large enough?
  *  - redcc_enter, by one thread: may the loop run in parallel? with how many threads?
  *  - redcc_join, by each thread of the parallel region
- *  - redcc_inspect, by each thread: hands out blocks of iterations. Their addresses are recorded by
- *    redcc_touch, redcc_read and redcc_iteration_done; or, while redcc_is_settled, compared by
- *    redcc_probe_touch, redcc_probe_read, ..._row and redcc_is_alike
+ *  - redcc_inspect, by each thread: hands out blocks of iterations. What they touch is recorded by
+ *    redcc_touch, redcc_read and redcc_iteration_done; or, while redcc_is_settled returns 1,
+ *    it is compared by redcc_probe_touch, redcc_probe_read, ..._row and redcc_is_alike
  *  - redcc_next, by each thread: hands out chunks of iterations to execute
  *  - redcc_owns, in the owner-checked form of the body: may the thread make this update?
- *  - redcc_leave, by one thread. 1: the loop is done; 0: nothing was written, run it serially
+ *  - redcc_leave, by one thread. 1: the loop is done. 0: nothing was written; run the loop serially
  *
- * This header includes only headers of redcc, because a user's feature-test macros must come
- * before any system header. It compiles as C89 with GNU extensions. Every name begins with redcc_
- * or REDCC_.
+ * This header includes only headers of redcc, because a user's feature-test macros must come before
+ * any system header. It compiles as C89 with GNU extensions. Every name begins with redcc_ or
+ * REDCC_.
  */
 #ifndef REDCC_RUNTIME_H
 #define REDCC_RUNTIME_H
@@ -29,12 +29,12 @@
                                                                                            : -1]   \
         __attribute__((__unused__))
 
-/** For #if: is each floating-point operation rounded separately, to its own type, in any context?
- *  Only then do two copies of one expression give the same bits. A loop whose subscripts are
- *  computed in floating point runs in parallel only under this condition. gcc defines macros for
- *  all relevant options, also after pragmas. clang defines them for -ffast-math, and from version
- *  18 on its pragmas override the parts of that option. They do not override -ffp-contract=fast on
- *  a processor with fused multiply-adds. */
+/** For use in #if: 1 if each floating-point operation is rounded separately, to its own type, in
+ * any context. Only then do two copies of one expression give the same bits. A loop whose
+ * subscripts are computed in floating point runs in parallel only under this condition. gcc defines
+ * macros for all relevant options, also after pragmas. clang defines them for -ffast-math, and from
+ * version 18 on clang's pragmas override the parts of that option. The pragmas do not override
+ * -ffp-contract=fast on a processor with fused multiply-adds. */
 #if !defined(__FLT_EVAL_METHOD__) && !defined(__clang__)
 #define REDCC_ROUNDS_ALIKE 0
 #elif defined(__clang__) && (__clang_major__ < 18 || !defined(__x86_64__) ||                       \
@@ -48,7 +48,7 @@
     (REDCC_EVALUATES_IN_TYPE && !REDCC_IS_ON(__FAST_MATH__) &&                                     \
      !REDCC_IS_ON(__ASSOCIATIVE_MATH__) && !REDCC_IS_ON(__RECIPROCAL_MATH__) &&                    \
      !REDCC_IS_ON(__NO_SIGNED_ZEROS__) && !__FINITE_MATH_ONLY__)
-/* 1 if the macro is 1, 0 if it is undefined, without a warning by -Wundef. */
+/* Expands to 1 if the macro is 1, and to 0 if it is undefined, without a warning by -Wundef. */
 #define REDCC_IS_ON(redcc_macro) REDCC_IS_ON_PASTED(redcc_macro)
 #define REDCC_IS_ON_PASTED(redcc_value) REDCC_IS_ON_##redcc_value
 #define REDCC_IS_ON_1 1
@@ -61,8 +61,7 @@
 #include <redcc/entry.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
-                     */
+#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the shared library hides all other names */
@@ -73,58 +72,62 @@
  * Begins an execution of `loop`.
  *   trip     iterations, counted by the caller
  *   bases    [array_count] the first element of each array, or the target of the pointer to it. 0:
- *            the elements are reached through pointers in memory. They may then lie
- *            anywhere, memory between them does not belong to the array, and they stay in place
- *            while the subscripts (these pointers among them) are unchanged. Such an array needs
+ *            the elements are reached through pointers in memory. They may then lie anywhere, and
+ *            the memory between them does not belong to the array. They stay in place while the
+ *            subscripts (these pointers among them) are unchanged. Such an array needs
  *            REDCC_ORDER_NEEDED and REDCC_OTHER_TYPE.
- *   known    [source_count] address ranges that do not depend on the inspection, {base, 0} for the
+ *   known    [source_count] address ranges that are known before the inspection, {base, 0} for the
  *            others
  *   key      [key_count] every scalar and pointer value that the subscripts depend on, including
  *            the loop's first value and step
- *   threads  maximum number for the region
- *   nested   the caller is already inside a parallel region
+ *   threads  maximum number of threads for the region
+ *   nested   1 if the caller is already inside a parallel region
  * Returns 1 if call->threads threads are to call redcc_join. Returns 0 if the loop is to run
- * serially (few iterations, one thread, nested or concurrent use, or as a method or order
- * requires). Stops the program with a message if REDCC_METHOD or REDCC_ORDER is unknown, or if the
- * named method does not keep an order that is named explicitly. bases, known and key are read
+ * serially (few iterations, one thread, nested or concurrent use, or if the method or the order
+ * requires it). Stops the program with a message if REDCC_METHOD or REDCC_ORDER is unknown, or if
+ * the named method does not keep an order that is named explicitly. bases, known and key are read
  * before it returns. Thread-safe.
  */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
 /** The trip count from which a loop of short iterations (without loops or calls inside) is worth a
- *  call of redcc_enter. For fewer iterations the call alone would double their time. It is set
- * when the runtime reads its environment variables: before main if none of them is set, else in
- * the first call of the runtime. It is 0 until then, and if a method is named, sums are
+ * call of redcc_enter. For fewer iterations the call alone would double their time. It is set when
+ * the runtime reads its environment variables: before main if none of them is set, else in the
+ * first call of the runtime. It is 0 until then. It stays 0 if a method is named, sums are
  * compensated or results are validated. */
 extern redcc_int redcc_least_trip;
 
 /** The number of short iterations, over all loops, that the program may still execute before any
- * loop calls redcc_enter. So few could not repay the cost of the runtime's first call. Zero or
- * negative: every loop calls it. Approximate if several threads count. */
+ * loop calls redcc_enter. So few iterations could not repay the cost of the runtime's first call.
+ * Zero or negative: every loop calls redcc_enter. The number is approximate if several threads
+ * decrease it. */
 extern redcc_int redcc_exempt_iterations;
 
 /** Are the functions that this object calls, directly or indirectly, those that `expected` names?
- *  False if the static or the dynamic linker has replaced one by another definition. */
+ * False if the static or the dynamic linker has replaced one of them by another definition. */
 int redcc_are_linked(const redcc_callee *called, redcc_size count,
                      const redcc_expectation *expected, redcc_size expected_count);
 
-/** Counts an execution of the original loop because of replaced functions. Returns 0. */
+/** Counts an execution of the original loop that was chosen because redcc_are_linked returned 0.
+ * Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
-/** Is the calling thread the process's first, and the only one that runs? OpenMP's idle threads do
- * not count. */
+/** Is the calling thread the process's initial thread and the only one that runs? OpenMP's idle
+ * threads do not count as running. */
 int redcc_is_alone(redcc_loop *loop);
 
-/** Makes a crew of the calling thread's team, all of whose threads reach the loop: the first one
- * executes it, and the others help. locks: only if all other threads of the process are idle. 0:
- * the loop must be executed as written. */
+/** Forms a crew (redcc/crew.h) of the calling thread's OpenMP team, all of whose threads reach the
+ * loop: the first thread executes the loop, and the others help. If `locks` is set, this requires
+ * that all other threads of the process are idle. Returns 0 if the loop must be executed as
+ * written. */
 redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks);
 
 /** Called once by each thread of the region, with its number and the number of threads. */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
 
-/** The next block to inspect: 1 with first, last and stride set, or 0: continue with redcc_next. */
+/** Gets the next block of iterations to inspect. 1: worker->first, last and stride are set. 0: no
+ * block is left; continue with redcc_next. */
 int redcc_inspect(redcc_worker *worker);
 
 /** Processes the addresses recorded so far; called by redcc_touch and redcc_iteration_done. Marked
@@ -133,21 +136,21 @@ int redcc_inspect(redcc_worker *worker);
 void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 
 /** Called by redcc_is_over: 1 if an earlier iteration of the dry run updated an address that is
- *  recorded as read from the source. The dry run then ends, and the slice must not use the value.
- */
+ * recorded as read from source number `source`. The dry run then ends, and the slice must not use
+ * the value. */
 int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
-/** Sets *worker to the next chunk to execute and returns 1. 0: no chunk is left. REDCC_SELECT:
- *  iterations must be classified first. REDCC_TILE: a tile is to be executed. Every thread of the
- * region must call it until it returns 0. */
+/** Sets *worker to the next chunk to execute and returns 1. 0: no chunk is left. REDCC_SELECT: the
+ * caller must classify iterations and call again. REDCC_TILE: the caller must execute a tile. Every
+ * thread of the region must call it until it returns 0. */
 int redcc_next(redcc_worker *worker);
 
 /** Returns 1 to exactly one of the threads that call it after executing the last iteration. */
 int redcc_claims_last(redcc_worker *worker);
 
-/** Called by redcc_owns: may this thread write at `address`? If so, the runtime prepares the update
- * that follows (lock, compensation), of this element or of several in its unit. Cold, as is
- * redcc_flush. */
+/** Called by redcc_owns: may this thread write at `address`? If so, prepares the update that
+ * follows (takes its lock, or begins a compensated sum). The update may be of this element or of
+ * several elements of its unit. Cold for the same reason as redcc_flush. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
 /** The part of redcc_leave after redcc_enter returned 1. */
@@ -164,8 +167,8 @@ extern int redcc_timed_loops;
 #endif
 
 /** Ends an execution, whatever redcc_enter returned. Returns 1: the loop is done. 0: the arrays are
- *  untouched (a guard failed, or memory or a plan was lacking) and the caller must run the original
- *  loop; the report gives the reason. */
+ * untouched (a guard failed, or there was no memory or no plan) and the caller must run the
+ * original loop; the report gives the reason. */
 static __inline__ int redcc_leave(redcc_call *call) {
     return call->decided ? redcc_end(call) : 0;
 }
@@ -219,15 +222,15 @@ static __inline__ redcc_int redcc_exact_unsigned(redcc_int value, int bits, int 
     return value;
 }
 
-/** The same for a signed integer. */
+/** As redcc_exact_unsigned, for a signed integer. */
 static __inline__ redcc_int redcc_exact_signed(redcc_int value, int bits, int *lost) {
     const redcc_int above = (redcc_int)1 << (bits - 1);
     *lost |= value < -above || value >= above;
     return value;
 }
 
-/** *extent: from the lower of two addresses to `bytes` after the higher, without addresses below 1.
- *  Sets *lost if none is left. */
+/** Sets *extent to the bytes from the lower of two addresses to `bytes` after the higher one,
+ * without addresses below 1. Sets *lost if this is empty or its end overflows. */
 static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, redcc_int other,
                                           redcc_int bytes, int *lost) {
     const redcc_int low = one < other ? one : other;

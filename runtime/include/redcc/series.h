@@ -3,17 +3,16 @@
  * Sums of floating scalars in inner loops, `e += f(i, j)`. The number of operands of an iteration
  * is not known in advance, and they must be added in the order of the sequential loop. Each thread
  * appends the operands of the iterations that it executes to its own list. At the end the first
- * thread adds them in the order of the iterations. With tiles, the thread of a band adds the
- * operands of its rows when these are done, after those of the band above.
+ * thread adds them in the order of the iterations. With tiles, the thread that has executed a band
+ * of rows adds the band's operands, once those of the band above were added.
  *
- *     redcc_run               one thread    allocates a part for each iteration (redcc_attempt)
+ *     redcc_run               one thread    allocates a table of the iterations (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_REPEATS    each thread   when nothing is left to execute. If memory for an
- *                                           operand was lacking, the first thread executes all
- *                                           iterations a second time, without updates, and adds
- *                                           the operands directly
+ *     REDCC_SERIES_REPEATS    each thread   when nothing is left to execute. If memory was short,
+ *                                           the first thread executes all iterations again: it
+ *                                           makes no updates, but adds the operands directly
  *     REDCC_SERIES_BANDS      each thread   after each tile
  *     series->is_over         each thread   1: it is the first thread, and the loop is done
  *     REDCC_SERIES_APPLY      that thread   adds the operands
@@ -24,29 +23,33 @@
 #ifndef REDCC_SERIES_H
 #define REDCC_SERIES_H
 
-/** Operands of one iteration, in order. */
+/** A part of the operands of one iteration, in their order. They lie one after the other. */
 struct redcc_series_part {
     struct redcc_series_part *more; /**< the operands that follow; NULL: none */
     redcc_size count;
-    double value[1]; /**< `count` of them, once the part is complete; a float is a double */
+    double value[1]; /**< `count` operands, once the part is complete; a float is stored as a
+                        double */
 };
 
-/** A thread's state. */
+/** A thread's state for one series. */
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part *part;  /**< of the current iteration; NULL: it has none yet */
-    double *begin;            /**< the part's first operand; NULL: the part is complete */
-    double *at, *end;         /**< address for the next operand, and the limit */
-    double *block_end;        /**< the end of the memory block that `at` points into */
-    int adds;                 /**< the thread adds operands directly and stores none */
-    int begins;               /**< `adds` is set, and no operand was added yet */
-    int follows;              /**< another thread stores the operands of the current iteration */
-    int in_front;             /**< the thread executed all iterations before `next`: it adds */
-    int added;                /**< in_front: it has added an operand */
-    redcc_int next;           /**< operands from this iteration on are stored */
+    redcc_series_part
+        *part;     /**< the last part of the current iteration; NULL: the iteration has none yet */
+    double *begin; /**< the first operand in `part`; NULL: the part is complete */
+    double *at, *end;  /**< address for the next operand, and the end of the free memory there */
+    double *block_end; /**< the end of the memory block that `at` points into */
+    int adds;          /**< the thread adds operands directly and does not store them */
+    int begins;        /**< `adds` is set, and the thread has not added an operand yet */
+    int follows;       /**< another thread stores the operands of the current iteration */
+    int in_front;      /**< the thread has executed all iterations before `next`, and so adds its
+                          operands directly */
+    int added;         /**< the thread has added an operand */
+    redcc_int next;    /**< operands of this iteration and later ones are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
-    struct operand_block *first, *block; /**< the thread's blocks: the first, that of `at` */
+    struct operand_block *first,
+        *block; /**< the thread's memory blocks: the first one, and the one that `at` points into */
 };
 
 /** Initialises this thread's writer of series number `number` of the loop. */
@@ -65,8 +68,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                    (redcc_writer).begin = 0)                                       \
                           : (void)0)
 
-/** Begins an iteration. In the owner-checked form another thread may store its operands: the
- * iteration's leader (redcc_probe_first), which executes all of it. */
+/** Begins an iteration. In the owner-checked form another thread may store the iteration's
+ * operands: its leader (redcc_probe_first), which executes the whole iteration. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     (REDCC_SERIES_COMPLETE(redcc_writer), (redcc_writer).part = 0,                                 \
      (redcc_writer).end = (redcc_writer).at,                                                       \
@@ -75,7 +78,7 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
-/** The same at the beginning and at the end of the part of an iteration that is in a tile. */
+/** Begin and end that stretch of an iteration which lies in the current tile. */
 #define REDCC_SERIES_RESUME(redcc_writer)                                                          \
     ((redcc_writer).part =                                                                         \
          redcc__tile->is_first ? 0 : (redcc_writer).ends[redcc__k - redcc__tile->row],             \
@@ -94,8 +97,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
 /** Must the thread execute the whole iteration, whatever it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
-/** Stores an operand of iteration number k and returns 1; also 1 if another thread stores it. 0:
- * the caller must add the operand itself (`adds`), or memory was lacking. */
+/** Stores an operand of iteration number k and returns 1. Also returns 1 if another thread stores
+ * the operand. 0: the caller must add the operand itself (`adds`), or there was no memory. */
 static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
                                                                    redcc_int k, double operand) {
     if (writer->follows)
@@ -110,15 +113,15 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
     return 1;
 }
 
-/** After the last tile of a band: the band's thread adds the operands of all series, after those of
- *  the band above. */
+/** Follows each tile. After the last tile of a band, the band's thread adds the operands of all
+ * series, once those of the band above were added. */
 #define REDCC_SERIES_BANDS(redcc_count, redcc_sums)                                                \
     if (redcc__tile.is_last) {                                                                     \
         redcc__worker->call->calls->series->await_band(redcc__worker);                             \
         redcc_sums redcc__worker->call->calls->series->end_band(redcc__worker, redcc__writers,     \
                                                                 redcc_count);                      \
     }
-/** Adds a band's operands; parameters as for REDCC_SERIES_APPLY. */
+/** Adds a band's operands. The parameters are those of REDCC_SERIES_APPLY. */
 #define REDCC_SERIES_BAND(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,   \
                           redcc_sum, redcc_is_set)                                                 \
     {                                                                                              \
@@ -143,14 +146,15 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
 #define REDCC_SERIES_REPEATS(redcc_count)                                                          \
     redcc__worker->call->calls->series->repeats(redcc__worker, redcc__writers, redcc_count)
 
-/** The adding thread begins with the scalar's value, if it is updated at all. */
+/** The thread that adds the operands begins with the scalar's value, if the loop updates the scalar
+ * at all. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \
     ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series)                 \
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 
-/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. redcc_operand: the
- * name of the operand in the operation. */
+/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. redcc_operand is the
+ * type to which an operand is converted first. */
 #define REDCC_SERIES_APPLY(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,  \
                            redcc_own, redcc_sum, redcc_is_set)                                     \
     if ((redcc_writer).added || (redcc_writer).calls->has_any((redcc_writer).series)) {            \
@@ -160,7 +164,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         if (!(redcc_writer).adds || (redcc_writer).in_front) {                                     \
             if (!(redcc_writer).added)                                                             \
                 redcc_own = (redcc_is_set) ? redcc_sum : redcc_scalar;                             \
-            /* if it is set, bands have added the operands */                                      \
+            /* if redcc_is_set, the bands have added the operands */                               \
             while (!(redcc_is_set) &&                                                              \
                    (redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
                        0)                                                                          \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The slice's macros, which record, probe or prefetch what an iteration touches. loop.h includes
- * this file.
+ * Macros of the slice, the part of a loop's body that computes which addresses an iteration
+ * touches. They record, probe or prefetch these addresses. loop.h includes this file.
  */
 #ifndef REDCC_SLICE_H
 #define REDCC_SLICE_H
@@ -11,7 +11,8 @@
 
 /** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__worker 0 if they are
  * prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
- * sources. In each use it is constant which of these are 0, so that each is compiled separately. */
+ * sources. In each use the compiler knows which of these are 0, so that it compiles the slice for
+ * each use separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
@@ -26,14 +27,14 @@
 #define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
 enum { redcc__by_calls = 0 };
 
-/** The iteration may update (_TOUCH) or read (_READ) `redcc_n` bytes at an address. */
+/** The iteration may update (_TOUCH) or read (_READ) `redcc_n` bytes at address `redcc_at`. */
 #define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
     redcc_slice_touch(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 #define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
     redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 
-/** Precedes a block that records the reads of one source: skips it if that source is not recorded.
- */
+/** Precedes a block that records the reads of one source: skips the block if that source is not
+ * recorded. */
 #define REDCC_IF_RECORDED(redcc_i) if (!redcc__source_mask || redcc__source_mask >> (redcc_i)&1)
 
 /** As REDCC_TOUCH and REDCC_READ, for redcc_base[redcc_row]. No iteration changes redcc_base, so
@@ -75,29 +76,31 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/** The addresses from the lowest to the highest that loops over rows touch. Empty: both 0. */
+/** A hull: the addresses from the lowest to the highest that loops over rows touch. Both are 0 if
+ * the hull is empty. */
 typedef struct redcc_hull {
     const char *first, *end;
 } redcc_hull;
 
-/** Is all that an iteration touches compared with one range, or logged in a dry run, whose guard
- *  compares ranges? Then the hull suffices. */
+/** Does the hull suffice? Yes if everything that an iteration touches is compared with one range,
+ * or is logged in a dry run, whose guard compares ranges. */
 #define REDCC_BY_HULL(redcc_i)                                                                     \
     (redcc__worker && !redcc__source_mask && !redcc__worker->window[redcc_i].map &&                \
      (redcc__probe || redcc__worker->alike < 0))
-/** The step of a loop whose first and last rows have the extreme addresses. */
+/** The step of a loop over rows whose first and last rows have the extreme addresses. If the hull
+ * suffices, goes from the first row directly to the last. */
 #define REDCC_NEXT_ROW(redcc_counter, redcc_last)                                                  \
     redcc_counter = redcc__by_hull && redcc_counter != (__typeof__(redcc_counter))(redcc_last)     \
                         ? (__typeof__(redcc_counter))(redcc_last)                                  \
                         : (__typeof__(redcc_counter))(redcc_counter + 1)
-/** As REDCC_TOUCH_SPAN, in such a loop. */
+/** As REDCC_TOUCH_SPAN, in a loop that steps by REDCC_NEXT_ROW. */
 #define REDCC_TOUCH_PART(redcc_i, redcc_at, redcc_end)                                             \
     if (redcc__by_hull)                                                                            \
         redcc_hull_add(&redcc__hull_##redcc_i, redcc__probe, &redcc__worker->window[redcc_i],      \
                        redcc_at, redcc_end);                                                       \
     else                                                                                           \
         redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
-/** Behind the outermost of such loops. */
+/** Follows the outermost loop that steps by REDCC_NEXT_ROW: touches the hull. */
 #define REDCC_TOUCH_HULL(redcc_i)                                                                  \
     if (redcc__hull_##redcc_i.end)                                                                 \
         redcc_slice_touch_hull(redcc__probe, redcc__worker, redcc_i, &redcc__hull_##redcc_i);
@@ -122,8 +125,8 @@ REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worke
     probe->outside |= redcc_leaves(window->first, window->size, hull->first, bytes);
 }
 
-/* Handles a touch outside of the owned range, or of an owner with a map. The common case is
- * inlined. */
+/* Handles a touch outside of the owned range, or of an owner with a map. Callers inline the common
+ * case. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_inspect_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
                       const void *address, redcc_size bytes) {

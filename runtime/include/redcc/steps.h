@@ -21,7 +21,7 @@
 
 /** into / unit, without a division if there is a wider multiplication. The reciprocal is m =
  * floor((2^64 - 1) / unit) + 1: m * unit exceeds 2^64 by less than `unit`. So the high half of m *
- * into is the quotient while into * unit < 2^64. A reciprocal of 0: none. */
+ * into is the quotient while into * unit < 2^64. If the reciprocal is 0, divides. */
 REDCC_INLINE redcc_size redcc_quotient(redcc_size into, redcc_size unit, redcc_word reciprocal) {
 #ifdef __SIZEOF_INT128__
     __extension__ typedef unsigned __int128 redcc__wide;
@@ -52,24 +52,25 @@ REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
             redcc_is_mapped_to(owner->map, into, owner->unit, owner->reciprocal, owner->self));
 }
 
-/* A range of several units, or one that leaves the map. */
+/* As redcc_mapped, for a range that has several units or lies partly or completely outside of the
+ * map. */
 static __attribute__((__noinline__, __unused__)) unsigned
 redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
-    const redcc_size end = into + bytes; /* wraps if the range begins before the map */
+    const redcc_size end = into + bytes; /* wraps around if the range begins before the map */
     const redcc_size from = into < owner->size ? into : 0;
     const redcc_size to = end < owner->size ? end : owner->size;
     unsigned seen = from != into || to != end ? REDCC_CLASS_OTHERS : 0;
     redcc_size unit, last;
     if (into >= owner->size && end - 1 >= bytes - 1)
-        return REDCC_CLASS_OTHERS; /* completely before or behind the map */
+        return REDCC_CLASS_OTHERS; /* completely before or after the map */
     last = redcc_unit_number(owner, to - 1);
     for (unit = redcc_unit_number(owner, from); unit <= last; unit++)
         seen |= owner->map[unit] == owner->self ? REDCC_CLASS_OWN : REDCC_CLASS_OTHERS;
     return seen;
 }
 
-/** REDCC_CLASS_OWN if the thread owns some of the `bytes` > 0 bytes at offset `into` of its map,
- *  and REDCC_CLASS_OTHERS if it does not own all of them. */
+/** Returns REDCC_CLASS_OWN if the thread owns some of the `bytes` > 0 bytes at offset `into` of its
+ * map, plus REDCC_CLASS_OTHERS if it does not own all of them. */
 REDCC_INLINE unsigned redcc_mapped(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     if (into < owner->size) {
         const redcc_size unit = redcc_unit_number(owner, into);
@@ -101,7 +102,7 @@ static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const 
         worker->call->calls->flush(worker);
 }
 
-/** Inspector: the same for the whole range from `first` to before `end`. */
+/** Inspector: this iteration may update the bytes from `first` to before `end`. */
 static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, const char *first,
                                         const char *end) {
     for (; end - first > REDCC_LONGEST_TOUCH; first += REDCC_LONGEST_TOUCH)
@@ -122,8 +123,8 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
 }
 
 /** Inspector, in a dry run (worker->alike < 0): 1 if an earlier iteration updated an address that
- * is recorded as read from the source. The dry run then ends, and the slice must not use the value.
- */
+ * is recorded as read from source number `source`. The dry run then ends, and the slice must not
+ * use the value. */
 static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
     const redcc_extent *recorded = &worker->sources[source];
     const redcc_owner *clear;
@@ -159,21 +160,22 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->call->calls->flush(worker); /* the owned range may differ for the next iteration */
 }
 
-/** The probe of an iteration, which finds out whether it needs a record. inside: it touches an
- * element of the owned range. outside: it touches or reads something outside of the known ranges.
- * All fields are initially 0, except `selects` for REDCC_SELECT. Then `outside` means that the
- * iteration touches an element outside of the owned range, and reads do not matter. */
+/** The result of probing an iteration, which tells whether the iteration needs a record. inside: it
+ * touches an element of the owned range. outside: it touches or reads something outside of the
+ * known ranges. All fields are initially 0, except `selects` for REDCC_SELECT. With REDCC_SELECT,
+ * `outside` means that the iteration touches an element outside of the owned range, and reads do
+ * not matter. */
 typedef struct redcc_probe {
     int inside;
     int outside;
-    int selects;   /* a constant in each use; 2: also finds the leader */
+    int selects;   /* not 0: for REDCC_SELECT; 2: also finds the leader. A constant in each use */
     int preferred; /* the row that is touched next is preferred as the leading row */
-    int rank;      /* of the leading row so far: 0: none, 1: a row, 2: a preferred one */
+    int rank;      /* rank of the leading row so far; 0: no row, 1: a row, 2: a preferred row */
     int leads;
 } redcc_probe;
 
-/** The leader is the owner of the first byte of the first preferred row or, if none is preferred,
- * of the first row: so all threads agree. */
+/** Chooses the leader: the owner of the first byte of the first preferred row or, if none is
+ * preferred, of the first row. Thus all threads choose the same leader. */
 static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
                                          const void *address) {
     const int rank = probe->preferred ? 2 : 1;
@@ -184,7 +186,7 @@ static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *
     probe->leads = redcc_has(window, address);
 }
 
-/** REDCC_SELECT with a map: who owns the `bytes` > 0 bytes at `address`? */
+/** For REDCC_SELECT with a map: finds who owns the `bytes` > 0 bytes at `address`. */
 REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *window,
                                      const void *address, redcc_size bytes) {
     const unsigned seen =
@@ -195,9 +197,9 @@ REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *wind
 
 /** True after REDCC_SETTLED consecutive iterations that touched only the current owner's range.
  * Then the next iterations are first probed, in order, by redcc_probe_touch and redcc_probe_read
- * (or their variants by row number). Those for which redcc_is_alike holds are counted in
- * worker->alike; the first other one is recorded. False if no owned range is set or the stride is
- * not 1. */
+ * (or their variants by row number). Iterations for which redcc_is_alike holds are counted in
+ * worker->alike; the first other iteration is recorded. False if no owned range is set or the
+ * stride is not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
     return worker->alike >= REDCC_SETTLED;
 }
@@ -212,7 +214,7 @@ static __inline__ int redcc_leaves(const char *first, redcc_size size, const voi
     return (redcc_size)address - (redcc_size)first >= places;
 }
 
-/** The same for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+/** As redcc_leaves, for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
 static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const void *base,
                                        redcc_int row, redcc_size bytes) {
     const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
@@ -232,7 +234,8 @@ static __inline__ int redcc_intersects(const char *first, redcc_size size, const
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/* Both tests of REDCC_SELECT. Not inlined, because it would be slow to compile at each touch. */
+/* Sets `inside` and `outside` for REDCC_SELECT. Not inlined, because it would be slow to compile at
+ * each touch. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
@@ -306,8 +309,8 @@ static __inline__ void redcc_store_classes(const redcc_worker *worker,
     __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(worker->last - worker->first));
 }
 
-/** May this thread write any of the bytes at `address`? Does not call the hook: with one the answer
- * is yes. */
+/** May this thread write any of the `bytes` bytes at `address`? If the owner has a hook, returns 1
+ * without calling it. */
 static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
                                       redcc_size bytes) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
@@ -320,8 +323,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 
 /* ---- bins ---- */
 
-/** The least number of records of `bytes` bytes that exactly fill cache lines: at most 32. 1 if
- * they are empty. */
+/** The least number of records of `bytes` bytes (an even number) that exactly fill cache lines: at
+ * most 32. It is 1 if records are empty. */
 #define REDCC_LINE_RECORDS(bytes)                                                                  \
     ((bytes) == 0                                                                                  \
          ? 1u                                                                                      \
@@ -329,16 +332,16 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                                               ? (redcc_u32)REDCC_CACHE_LINE                        \
                                               : ((bytes) & (0u - (bytes)))))
 
-/** Bytes of these lines; and with the following line of places: the write-combining buffer of a
- * bin. */
+/** The size of these lines; and the size of a bin's write-combining buffer, which has these lines
+ * and one line of places. */
 #define REDCC_LINES_BYTES(bytes) (REDCC_LINE_RECORDS(bytes) * (bytes))
 #define REDCC_COMBINED_BYTES(bytes) (REDCC_LINES_BYTES(bytes) + (redcc_u32)REDCC_CACHE_LINE)
 
-/** The two parts of a place: the row within the bin, and the number of the update. */
+/** The two parts of a place: the row's number within the bin, and the number of the update. */
 #define REDCC_PLACE_ROW(place, tag_bits) ((place) & ((1u << (REDCC_PLACE_BITS - (tag_bits))) - 1u))
 #define REDCC_PLACE_TAG(place, tag_bits) ((place) >> (REDCC_PLACE_BITS - (tag_bits)))
 
-/** Apply functions: prefetches the row of a later record. */
+/** For apply functions: prefetches the row of a later record. */
 #define REDCC_APPLY_AHEAD(applied, k, row, tag_bits)                                               \
     do {                                                                                           \
         if ((applied)->ahead)                                                                      \
@@ -346,11 +349,11 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                 &(row)[REDCC_PLACE_ROW((applied)->place[(k) + (applied)->ahead], tag_bits)]);      \
     } while (0)
 
-/** Are the chunk's updates made on private copies? If so by redcc_update, else by redcc_push; the
- *  same for all streams. True only if each stream is `exact`. */
+/** Are the chunk's updates made on private copies, by redcc_update? Otherwise redcc_push records
+ * them. The answer is the same for all streams. It is yes only if each stream is exact. */
 #define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
-/** Writes `bytes` bytes, whole lines, by non-temporal stores. */
+/** Writes `bytes` bytes, which are whole cache lines. Uses non-temporal stores on x86-64. */
 REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes) {
 #if defined(__x86_64__) && defined(__SSE2__) && defined(__GNUC__)
     typedef double redcc_vector __attribute__((__vector_size__(16), __may_alias__));
@@ -364,7 +367,7 @@ REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes
 #endif
 }
 
-/** Prefetches a line that will be written soon. */
+/** Prefetches a cache line that will be written soon. */
 REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #if defined(__x86_64__) && defined(__GNUC__)
     __asm__ volatile("prefetchw %0" : : "m"(*(const char *)address));
@@ -397,7 +400,8 @@ REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *strea
     stream->apply(&one);
 }
 
-/* Appends to the bin's write-combining lines, which are written once they are full. */
+/* Appends a record to the bin's write-combining lines, which are written to memory once they are
+ * full. Returns the number of the next record. */
 REDCC_INLINE redcc_u32 redcc_push_combined(const redcc_bins *bins, redcc_size bin, redcc_u32 number,
                                            redcc_u16 place, const void *record, redcc_u32 bytes) {
     const redcc_u32 records = REDCC_LINE_RECORDS(bytes);
@@ -453,15 +457,15 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
     bins->cursor[bin] = number;
 }
 
-/** The address of the array's row 0, extrapolated from the copy. */
+/** The address that row 0 would have in the private copy, which begins at row bins->first. */
 REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream,
                                    redcc_u32 part) {
     return (void *)((redcc_size)bins->copy[part] -
                     (redcc_size)bins->first * (redcc_size)stream->rows[part]);
 }
 
-/** Flags of a loop that can be binned. Contributions are rounded to their types in records, so
- * binning requires that the compiler always rounds them so. */
+/** REDCC_BINNED if the compiler always rounds contributions to their types, else 0. Records hold
+ * rounded contributions, so binning would otherwise change results. */
 #if (defined(__FLT_EVAL_METHOD__) && !REDCC_EVALUATES_IN_TYPE) ||                                  \
     (defined(__i386__) && !defined(__SSE2_MATH__))
 #define REDCC_BINS_FLAG 0

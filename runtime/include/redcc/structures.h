@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Structures shared by the runtime and compiled loops: a loop's description, a thread's part in an
- * execution, bins. redcc/parallel.h and redcc/runtime.h include this file. It includes none, and
- * compiles as C89 with GNU extensions. The fields are part of the interface's version
+ * Structures shared by the runtime and compiled loops: the description of a loop, a thread's part
+ * in an execution, and bins. redcc/parallel.h and redcc/runtime.h include this file. It includes no
+ * header, and compiles as C89 with GNU extensions. The fields are part of the interface's version
  * (REDCC_INTERFACE).
  */
 #ifndef REDCC_STRUCTURES_H
 #define REDCC_STRUCTURES_H
 
-/** For #if: are float and double evaluated in their own types? gcc gives 16 instead of 0 if it has
- *  registers for _Float16 as well. */
+/** For use in #if: are float and double evaluated in their own types? gcc defines 16 instead of 0
+ * if it also has registers for _Float16. */
 #define REDCC_EVALUATES_IN_TYPE (__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16)
 
 __extension__ typedef long long redcc_int;           /**< counts of iterations */
-__extension__ typedef unsigned long long redcc_word; /**< keys */
-typedef __SIZE_TYPE__ redcc_size;                    /**< bytes */
+__extension__ typedef unsigned long long redcc_word; /**< values of a key */
+typedef __SIZE_TYPE__ redcc_size;                    /**< numbers of bytes */
 typedef unsigned int redcc_u32;
 
 typedef enum redcc_operator {
-    REDCC_SUM, /**< `+`; also `-` of the contribution */
+    REDCC_SUM, /**< element + contribution, or element - contribution */
     REDCC_PRODUCT,
     REDCC_MINIMUM,
     REDCC_MAXIMUM,
-    REDCC_SATURATING, /**< 1 is added while the element is below the array's limit */
+    REDCC_SATURATING, /**< adds 1 while the element is below the array's `limit` */
     REDCC_AND,        /**< bitwise */
     REDCC_OR,
     REDCC_XOR
@@ -42,10 +42,11 @@ typedef enum redcc_type {
     REDCC_LONG_DOUBLE,
     REDCC_FLOAT_COMPLEX,
     REDCC_DOUBLE_COMPLEX,
-    REDCC_OTHER_TYPE /**< no private copies are possible; only methods without them apply */
+    REDCC_OTHER_TYPE /**< any other type: no private copies are possible, so that only methods
+                        without them apply */
 } redcc_type;
 
-/** How a result may differ from that of the sequential loop. */
+/** How the result of the parallel loop may differ from that of the sequential loop. */
 typedef enum redcc_order {
     REDCC_ORDER_SERIAL, /**< not at all: the same bits at every thread count */
     REDCC_ORDER_FIXED,  /**< the same bits in every run and at every thread count */
@@ -59,52 +60,54 @@ typedef struct redcc_array {
                           * size of enumerations */
     redcc_u32 type;      /**< a redcc_type */
     redcc_u32 element;   /**< bytes of a scalar element */
-    redcc_u32 unit;      /**< bytes of a row b[i], or of an element if there are no rows: touches
-                          * cover whole units, and each unit has one owner */
-    redcc_word limit;    /**< REDCC_SATURATING: above 0, a value of the type */
+    redcc_u32 unit; /**< bytes of a row b[i], or of an element if there are no rows: a touch covers
+                       whole units, and each unit has one owner */
+    redcc_word limit; /**< for REDCC_SATURATING: the limit, a value of the type above 0 */
 } redcc_array;
 
 /** An object that the loop reads. If it overlaps a reduction array, the loop must not run in
  *  parallel. */
 typedef struct redcc_source {
     const char *name;
-    int flags; /**< bits of the following */
+    int flags; /**< a sum of the bits below */
 } redcc_source;
 
 enum {
-    /** Its contents determine which elements are touched: a plan is reused only while they are
-     *  unchanged. */
+    /** The source's contents determine which elements are touched. A plan is reused only while they
+     * are unchanged. */
     REDCC_IS_SUBSCRIPT = 1,
-    /** A scalar in memory to which the loop adds: it must not overlap an array of the loop, another
-     *  such scalar, or a source with the next bit. */
+    /** A scalar in memory to which the loop adds. It must not overlap an array of the loop, another
+     * scalar with this bit, or a source with REDCC_MAY_OVERLAP_SCALARS. */
     REDCC_IS_SCALAR = 2,
-    /** A source that was not proved disjoint from such scalars. */
+    /** A source that was not proved disjoint from the scalars with REDCC_IS_SCALAR. */
     REDCC_MAY_OVERLAP_SCALARS = 4,
     /** A source that is disjoint from all arrays, although it may lie between their elements
      * (another member of their structures). It may overlap only scalars. */
     REDCC_OVERLAPS_NO_ARRAY = 8
 };
-/** Elements that belong to one iteration count as such scalars (REDCC_IS_SCALAR). This flag
- * identifies their base: two such sources with the same base are disjoint. */
+/** Elements that only one iteration touches are described as scalars, too (REDCC_IS_SCALAR). This
+ * value, added to the flags, identifies their base pointer. Two such sources with the same base are
+ * disjoint. */
 #define REDCC_SCALAR_BASE(redcc_base) ((redcc_base)*256)
 
 /** The address of any function. */
 typedef void (*redcc_code)(void);
 
 /** Describes a function's definition; emitted in the object that defines it. The digest depends
- * only on the definition. `own` is the address of this definition, even if the linker substitutes
- * another. A file that redcc-cc compiles without redcc's headers declares the structure itself
- *  (tool/redcc/records.c). */
+ * only on the definition. `own` is the address of this definition, even if calls of the name are
+ * linked to another definition. A file that redcc-cc compiles without redcc's headers declares the
+ * structure itself (tool/redcc/records.c). */
 typedef struct redcc_record {
     const char *name;
     redcc_u32 digest[2];
     redcc_code own;
     redcc_size callee_count;
-    const struct redcc_callee *callees; /**< functions that it calls, as this object calls them */
+    const struct redcc_callee
+        *callees; /**< the functions that it calls, with the addresses that this object calls */
 } redcc_record;
 
 typedef struct redcc_callee {
-    const redcc_record *record; /**< NULL: there is none */
+    const redcc_record *record; /**< NULL: the function has no record */
     redcc_code called;
 } redcc_callee;
 
@@ -123,78 +126,81 @@ typedef struct redcc_linkage {
     redcc_size expected_count;
 } redcc_linkage;
 
-/** Fails to compile if -fpack-struct packs structures, since those of the library are not packed.
- */
+/** Fails to compile under -fpack-struct, because the library's structures are not packed. */
 typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
     __attribute__((__unused__));
 
 enum {
     /** The subscripts depend only on the key, the trip count and the sources marked
-     *  REDCC_IS_SUBSCRIPT, so that a plan may be reused if these are unchanged. The sources are
+     * REDCC_IS_SUBSCRIPT, so that a plan may be reused while these are unchanged. The sources are
      * listed in the order in which the slice reads them. Without the flag every execution inspects
      * again. */
     REDCC_VERIFIABLE = 1,
     /** The order was named explicitly at translation, not by default. */
     REDCC_ORDER_EXPLICIT = 2,
-    /** Some update requires that each element's updates keep their order: only methods that
-     * guarantee this apply. */
+    /** Some update requires that the updates of each element keep their order, so that only methods
+     * that guarantee this apply. */
     REDCC_ORDER_NEEDED = 4,
     /** Iterations that touch no element must be executed, too. */
     REDCC_EVERY_ITERATION = 8,
     /** The descriptor is the first member of a redcc_binned. */
     REDCC_BINNED = 16,
-    /** Its executor can prefetch what later iterations touch (prefetch.h). */
+    /** The loop's executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Multiplied by 2 or 4: the number of iterations executed at once (lanes.h). x86-64: with
-     * AVX2. */
+    /** The flags contain this value times 2 or 4 if the loop has a vector form that executes 2 or 4
+     * iterations at once (lanes.h). On x86-64 it is used only with AVX2. */
     REDCC_LANES_UNIT = 64,
-    /** The same on any processor. */
+    /** The vector form does not need AVX2. */
     REDCC_LANES_ANYWHERE = 1024,
     /** The slice may read through values that the loop has not written yet, and so read invalid
-     *  addresses. Therefore one thread first records all iterations in order, before the
-     * inspection. If an iteration would update an address in `known`, worker->last becomes 0 and
-     * the slice returns immediately. */
+     * addresses. Therefore one thread first records all iterations in order, before the inspection.
+     * If an iteration would update an address in a range of `known`, worker->last becomes 0 and the
+     * slice must return immediately. */
     REDCC_DRY_RUN = 2048,
-    /** The same, also for an update of an address that was recorded as read (redcc_is_over). */
+    /** As REDCC_DRY_RUN; the dry run also ends if an iteration would update an address that was
+     * recorded as read (redcc_is_over). */
     REDCC_DRY_RUN_OF_READS = 4096,
     /** Replaces REDCC_PREFETCHES: the iterations are so light that prefetching pays only if their
      *  accesses are irregular. */
     REDCC_LIGHT = 8192,
-    /** Its executor classifies iterations by the rows they touch when redcc_next returns
-     *  REDCC_SELECT. */
+    /** The loop's executor classifies iterations by the rows they touch when redcc_next returns
+     * REDCC_SELECT. */
     REDCC_SELECTS = 16384,
-    /** Iterations contain no loops or calls: a few of them are not worth a call of the runtime. */
+    /** Iterations contain no loops or calls, so that a few iterations are not worth a call of the
+     * runtime. */
     REDCC_SHORT = 32768,
     /** The slice is written by hand: REDCC_VALIDATE checks that it names all updated rows. */
     REDCC_BY_HAND = 65536,
-    /** An assertion in a function that its slice calls may end the program. */
+    /** The slice calls a function with an assertion, which may end the program. */
     REDCC_MAY_ABORT = 131072,
-    /** Owner-checked iterations skip parts that update no element of the thread. */
+    /** In the owner-checked form, iterations skip parts of the body that update no element of the
+     * thread. */
     REDCC_PARTS = 262144,
-    /** REDCC_BINNED: before any iteration is pushed, all iterations record their reads and updates,
-     *  and these must not overlap. */
+    /** With REDCC_BINNED: before any iteration is pushed, all iterations record their reads and
+     * updates, and these are checked not to overlap. */
     REDCC_BINS_CHECKED = 524288,
-    /** The attempt has the number of threads that the program requests. */
+    /** redcc_attempt.threads is the number of threads that the program requests. */
     REDCC_TEAM = 1048576,
-    /** Its executor understands REDCC_TILE: the loop is over pairs. The counter of the inner loop
-     * is above that of the outer loop. */
+    /** A loop over pairs: the counter of its inner loop is above that of the outer loop. Its
+     * executor accepts REDCC_TILE. */
     REDCC_TILES = 2097152,
-    /** The same, with an inner counter below the outer one. */
+    /** As REDCC_TILES, for an inner counter below the outer one. */
     REDCC_TILES_BELOW = 4194304,
-    /** REDCC_BINNED: the slice records no updates, so that no plan can be made. */
+    /** With REDCC_BINNED: the slice records no updates, so that no plan can be constructed. */
     REDCC_NO_INSPECTOR = 8388608,
-    /** The attempt has the section of each array that OpenMP's clause `reduction` names; all
-     * updates are inside it. */
+    /** redcc_attempt.sections has the section of each array that OpenMP's clause `reduction` names.
+     * All updates are inside it. */
     REDCC_SECTIONED = 16777216,
     /** An update might change a value that the executor reads before the loop (the bound of its
-     *  counter, the copy of a variable), or an element that is stored after it. So no update may be
-     *  made, not even in order, before it is known that none does. */
+     * counter, the copy of a variable). Or it might change an element that is stored after the
+     * loop. So no update may be made, not even in sequential order, before it is known that no
+     * update does so. */
     REDCC_WHOLE = 33554432,
     /** Iterations are heavy, so the first ones may be executed in order before the loop is
-     * inspected. The others are the same loop with another first iteration. */
+     * inspected. The others are executed as the same loop with a later first iteration. */
     REDCC_BEGINS = 67108864,
-    /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
-     *  iterations are. */
+    /** The slice records the rows of inner loops as blocks, so that an inspection is short even if
+     * iterations are heavy. */
     REDCC_BLOCKS = 134217728
 };
 
@@ -208,23 +214,24 @@ enum {
      *  iterations. */
     REDCC_TILE = 3,
     REDCC_TILE_ROWS = 256,
-    /** A class is a sum of these: the iteration touches an element that the thread owns; it touches
-     *  another element. */
+    /** The class of an iteration is a sum of these bits. OWN: the iteration touches an element that
+     * the thread owns. OTHERS: it touches an element that the thread does not own. */
     REDCC_CLASS_OWN = 1,
     REDCC_CLASS_OTHERS = 2,
     /** This thread is the leader of the threads that execute the iteration: it owns the leading row
      *  (redcc_probe_first). */
     REDCC_CLASS_LEADS = 4,
     /** Results of redcc_bins_next. 0: no chunks are left. TO_PUSH: a chunk whose updates must be
-     * pushed. TO_EXECUTE: call redcc_next for chunks first. */
+     * pushed. TO_EXECUTE: call redcc_next until it returns 0, then redcc_bins_next again. */
     REDCC_TO_PUSH = 1,
     REDCC_TO_EXECUTE = 2
 };
 
-/** Replaces a source's number: an iteration leaves the loop (redcc_iteration_leaves). */
+/** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
+ * (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
 
-/** A loop, as the translator describes it; one static object for each. */
+/** A loop as the translator describes it. There is one static object for each. */
 typedef struct redcc_loop {
     const char *file;
     int line;
@@ -241,8 +248,9 @@ typedef struct redcc_loop {
 
 /** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
  * inspection. Then redcc_read records the addresses, and `first` is the pointer to which they are
- * relative when a plan is reused. first == 0: no such pointer, or the addresses lie in several
- * objects. For a kept plan, all bytes between the first and the last one read are compared. */
+ * relative when a plan is reused. first == 0: there is no such pointer, or the addresses lie in
+ * several objects. For a kept plan, all bytes between the first and the last one read are compared.
+ */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -251,7 +259,7 @@ typedef struct redcc_extent {
 /** One execution of a loop; lives on the caller's stack from redcc_enter to redcc_leave. */
 typedef struct redcc_call {
     redcc_loop *loop;
-    redcc_int trip;                  /**< iterations */
+    redcc_int trip;                  /**< number of iterations */
     int threads;                     /**< number of threads to request from OpenMP */
     int decided;                     /**< owned by the runtime */
     void *execution;                 /**< owned by the runtime */
@@ -271,8 +279,9 @@ struct redcc_hook;
 typedef struct redcc_owner {
     const char *first;
     redcc_size size;
-    const unsigned char *map; /* the owner of each unit from `first`; 0: no map */
-    redcc_word reciprocal;    /* for a division by `unit`; 0: none (redcc_unit_number) */
+    const unsigned char
+        *map;              /* the owner of each unit, the first of which is at `first`; 0: no map */
+    redcc_word reciprocal; /* replaces the division by `unit` (redcc_quotient); 0: divide */
     redcc_u32 self;
     redcc_u32 unit;          /* with a map: bytes of a unit */
     struct redcc_hook *hook; /* not 0: the hook decides about each update, and the range is empty */
@@ -288,27 +297,29 @@ typedef struct redcc_entry {
 
 #define REDCC_END_OF_ITERATION 0xffffffffu
 
-/** After this many consecutive iterations within the owned range the next ones are probed
- *  (redcc_is_settled). If owners alternate, hardly any iteration is inspected twice. */
+/** After this many consecutive iterations within the owned range, the next iterations are probed
+ * (redcc_is_settled). The number is large enough that hardly any iteration is inspected twice where
+ * owners alternate. */
 #define REDCC_SETTLED 8
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
-/** Part of a loop over pairs: outer iterations `row` to before `row_end`, and of these the inner
- * iterations whose counter is `column` to before `column_end` steps after the loop's first value. A
- * thread gets all tiles of a band of rows, one after the other. */
+/** A tile: a part of a loop over pairs. It has the outer iterations `row` to before `row_end`. Of
+ * their inner iterations, it has those whose counter is `column` to before `column_end` steps after
+ * the loop's first value. A thread executes all tiles of a band of rows one after the other. */
 typedef struct redcc_tile {
     redcc_int row, row_end;
     redcc_int column, column_end;
-    int is_first; /**< the first tile of its rows */
-    int is_last;  /**< the last tile of its rows, with all inner iterations from `column` on */
+    int is_first; /**< it is the first tile of its rows */
+    int is_last;  /**< it is the last one, with all inner iterations from `column` on */
 } redcc_tile;
 
 /** How a chunk is executed; it does not affect the result. */
 typedef struct redcc_variant {
     int prefetches; /**< are rows of later iterations prefetched? */
-    int lanes;      /**< iterations at once, as in the descriptor; 0: one by one */
-    int follows;    /**< owner-checked iterations: another thread stores the operands of series */
+    int lanes;      /**< number of iterations executed at once (REDCC_LANES_UNIT); 0: one by one */
+    int follows; /**< 1: in owner-checked iterations, another thread stores the operands of series
+                  */
     const redcc_tile *tile; /**< after REDCC_TILE: the tile to execute */
 } redcc_variant;
 
@@ -321,19 +332,21 @@ typedef struct redcc_worker {
     redcc_int stride;
     redcc_entry *entry; /* the next free entry */
     redcc_entry *entry_end;
-    const redcc_owner *window; /* the range of one owner, for each array. A touch within it makes no
-                                * entry */
+    const redcc_owner *window; /* for each array: the range of the current owner. A touch within it
+                                  makes no entry */
     int inside;                /* the current iteration has a touch within the range */
     int outside;               /* the current iteration has a touch that made an entry */
-    redcc_int alike;           /* consecutive iterations within the range since the last flush */
-    redcc_extent *sources;     /* this thread's copies; indexed as redcc_loop.sources */
+    redcc_int alike; /* number of consecutive iterations within the range since the last flush;
+                        negative in a dry run */
+    redcc_extent
+        *sources; /* this thread's copies of the sources' ranges; indexed as redcc_loop.sources */
     /* set by redcc_next: the chunk */
     redcc_int origin;
     const redcc_iterations *run;
     const redcc_iterations *run_end;
     void *const *base;        /* for each array: the base to write to (perhaps of a copy) */
-    const redcc_owner *owner; /* for each array; in a dry run, for each source: ranges found
-                               * disjoint from all updates */
+    const redcc_owner *owner; /* for each array: its elements that the thread owns; in a dry run,
+                                 for each source: a range found disjoint from all updates */
     void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_variant variant; /* set by redcc_next */
@@ -345,21 +358,23 @@ typedef struct redcc_worker {
 typedef unsigned short redcc_u16;
 
 enum {
-    /** Maximum number of arrays that one record updates, at one subscript. */
+    /** Maximum number of arrays that one record updates, all at one subscript. */
     REDCC_STREAM_ARRAYS = 4,
-    /** Bits of a place: the row within its bin, and above it the number of the update. */
+    /** Number of bits of a place, which identifies the update of a record. Its low bits have the
+     * row's number within the bin; the bits above, the tag, have the number of the update in the
+     * body. */
     REDCC_PLACE_BITS = 16,
     REDCC_MOST_TAG_BITS = 8,
-    REDCC_BLOCK_RECORDS = 1024, /**< records of a contiguous block */
+    REDCC_BLOCK_RECORDS = 1024, /**< number of records in a contiguous block */
     REDCC_LINE_PLACES = 32,     /**< places in a cache line */
     REDCC_CACHE_LINE = 64,      /**< bytes */
     REDCC_RECORDS_AHEAD = 16    /**< prefetch distance in records */
 };
 
-/** Records to apply, in this order. */
+/** Records that an apply function is to apply, in this order. */
 typedef struct redcc_applied {
     void *const *rows;      /**< for each array of the stream, its row at place 0 */
-    const redcc_u16 *place; /**< [count + ahead] */
+    const redcc_u16 *place; /**< [count + ahead] the place of each record */
     const void *records;    /**< [count] */
     redcc_size count;
     redcc_size ahead;     /**< prefetch distance in places; 0: no prefetches */
@@ -369,20 +384,20 @@ typedef struct redcc_applied {
 
 enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 
-/** Updates that must be applied in order: all those of an array, or of several arrays at one
- *  subscript. */
+/** A stream: updates that must be applied in order. These are all updates of an array, or of
+ * several arrays at one subscript. */
 typedef struct redcc_stream {
-    /** Applies records: contains the text of the updates. Writes only to the rows. */
+    /** Applies records by the statements of the loop's updates. Writes only to the rows. */
     void (*apply)(const redcc_applied *applied);
     redcc_u32 array_count;                 /**< 1 to REDCC_STREAM_ARRAYS */
     redcc_u32 arrays[REDCC_STREAM_ARRAYS]; /**< their indices in the loop's arrays; no array is in
                                               two streams */
-    redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< for each, the bytes of a row: the array's `unit` */
+    redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< for each array, the bytes of a row: its `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< REDCC_STREAM_EXACT: all updates use the array's operator, on integers: any
-                  order, and private copies, are possible. REDCC_STREAM_SPANS: a record covers
-                  consecutive rows, and is in each bin that has some of them. Or 0 */
+    int exact; /**< REDCC_STREAM_EXACT: all updates use the array's operator on integers, so that
+                  any order and private copies are possible. REDCC_STREAM_SPANS: a record covers
+                  consecutive rows, and is in each bin that has some of these rows. Else 0 */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */
@@ -394,19 +409,20 @@ typedef struct redcc_binned {
 
 struct redcc_bin_buffer;
 
-enum { REDCC_PAGE = 4096 }; /* bytes; the system's pages are at least as large */
+enum { REDCC_PAGE = 4096 }; /* in bytes; the system's pages are at least as large */
 #define REDCC_NO_PAGE (~(redcc_size)0)
 
 /** One thread's bins of one stream. Constant while a chunk is executed, so that generated code may
  * copy it. */
 typedef struct redcc_bins {
-    redcc_int first;   /* row at place 0 of bin 0 */
-    redcc_size span;   /* number of rows in the bins; 0: no bins yet, rows are only counted */
+    redcc_int first; /* row at place 0 of bin 0 */
+    redcc_size
+        span; /* number of rows in the bins; 0: there are no bins yet, and rows are only counted */
     redcc_u32 shift;   /* (row - first) >> shift is the row's bin */
     redcc_u32 *cursor; /* for each bin: the number of its next record */
     char *records;     /* indexed by record number */
     redcc_u16 *places; /* indexed by record number */
-    char *lines;       /* write combining: the lines of each bin that are being filled; or 0 */
+    char *lines; /* write combining: for each bin, the cache lines that are being filled; or 0 */
     char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
@@ -429,8 +445,8 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
-    /** With tiles: await_band is called when the thread's band is done, end_band when its operands
-     * were added. */
+    /** With tiles: await_band is called when the thread has executed its band of rows; end_band,
+     * when the band's operands were added. */
     void (*await_band)(redcc_worker *worker);
     const redcc_series_part *(*part_of)(const redcc_series *series, redcc_int k);
     void (*end_band)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
@@ -438,11 +454,12 @@ typedef struct redcc_series_calls {
     void (*release)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
-/** In bins: for elements behind pointers, and for inner loops over rows. */
+/** Functions of the library for bins: for elements behind pointers, and for inner loops over rows.
+ */
 typedef struct redcc_behind_calls {
     /** Is a pointer at this address readable? If so, sets *page to the number of its page. */
     int (*is_readable)(redcc_size *page, const void *address);
-    /** Pushes a record of `count` rows from row `low` on. */
+    /** Pushes a record of `count` rows that begin with row `low`. */
     void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                       redcc_int count, const void *record);
 } redcc_behind_calls;
@@ -462,8 +479,8 @@ typedef struct redcc_before_calls {
     /** Is it certain that no other thread of the process executes the program's code before the
      * loop ends? */
     int (*is_alone)(redcc_loop *loop);
-    /** May pointers that the loop reads only under conditions be loaded before it? 0: not in this
-     *  execution, because the loop is executed too often. */
+    /** May pointers that the loop reads only under conditions be loaded before the loop? 0: not in
+     * this execution, because such loads would cost too much of a loop executed this often. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
@@ -483,24 +500,24 @@ typedef struct redcc_progression {
 
 struct redcc_ahead_calls;
 
-/** The iteration at a given distance ahead in the current runs. */
+/** An iteration a given distance ahead of the one that is executed, to prefetch what it touches. */
 typedef struct redcc_ahead {
     redcc_int k;
-    redcc_int end; /* of its run */
+    redcc_int end; /* end of the run that contains `k` */
     redcc_int origin;
-    const redcc_iterations *run; /* the next run */
+    const redcc_iterations *run; /* the run after it */
     const redcc_iterations *run_end;
     const struct redcc_ahead_calls *calls;
 } redcc_ahead;
 
 /** Functions of the library for redcc/prefetch.h. */
 typedef struct redcc_ahead_calls {
-    /** Sets `it` before iteration number `distance` of the worker's runs. */
+    /** Sets *it to just before iteration number `distance` of the worker's runs. */
     void (*begin)(redcc_ahead *it, const redcc_worker *worker, int distance);
     /** Advances to the next run. Returns 0 if none is left. */
     int (*next_run)(redcc_ahead *it);
-    /** Copies progressions, except those that earlier ones cover because they are members of the
-     * same structures. */
+    /** Copies progressions, except those that an earlier progression covers because both are
+     * members of the same structures. */
     void (*rows)(redcc_progression *to, const redcc_progression *from, int count);
     /** Prefetches a row longer than a cache line. */
     void (*prefetch)(const char *address, redcc_size bytes);
@@ -511,12 +528,12 @@ struct redcc_kept_row;
 /**
  * Functions that inline functions call while a loop is inspected and executed. A thread reaches the
  * table through its worker and its bins, so that an object with loops refers to none of these
- * functions by name. Later versions append to it. redcc/runtime.h and redcc/bins.h describe those
- * without a comment.
+ * functions by name. Later versions append functions. redcc/runtime.h and redcc/bins.h describe the
+ * functions without a comment.
  */
 typedef struct redcc_calls {
-    redcc_u32 version; /**< a REDCC_INTERFACE */
-    redcc_u32 bytes;   /**< of this table */
+    redcc_u32 version; /**< the library's REDCC_INTERFACE */
+    redcc_u32 bytes;   /**< size of this table */
     int (*inspect)(redcc_worker *worker);
     void (*flush)(redcc_worker *worker);
     int (*is_stale)(redcc_worker *worker, redcc_u32 source);
@@ -526,13 +543,13 @@ typedef struct redcc_calls {
     int (*bins_next)(redcc_worker *worker, redcc_bins *bins, const void *operands);
     void (*push_outside)(struct redcc_bin_buffer *buffer, redcc_int row);
     redcc_u32 (*push_block)(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record);
-    /* Only for redcc/parallel.h: */
+    /* Used by redcc/loop.h and redcc/parallel.h: */
     const redcc_int *least_trip;
     const int *timed_loops;
     void (*sequential_end)(redcc_loop *loop);
     /** Sets `bytes` bytes to the neutral element of the array's operator. */
     void (*fill)(const redcc_array *array, void *values, redcc_size bytes);
-    /** Applies kept rows to their arrays in order: under locks, or as compensated sums. */
+    /** Applies scratch rows to their arrays in order, under locks or as compensated sums. */
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
     /** Ends the program with a message: a rule of redcc/parallel.h is violated. */
     void (*misuse)(const redcc_worker *worker, const char *rule);

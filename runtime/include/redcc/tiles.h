@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over pairs: tiles, for which the body's inner loop is clipped to a range of columns; and
- * the number of inner iterations before a row. loop.h includes this file.
+ * Loops over pairs. Their iterations are executed by tiles: the body's inner loop is clipped to a
+ * range of columns. This file also counts the inner iterations before a row. loop.h includes it.
  */
 #ifndef REDCC_TILES_H
 #define REDCC_TILES_H
 
 #include <redcc/entry.h>
 
-/** Parameters of a function that executes one iteration of a tile: its inner iterations from column
- * redcc__from to before redcc__to. */
+/** Parameters of a function that executes one outer iteration of a tile: its inner iterations from
+ * column redcc__from to before redcc__to. */
 #define REDCC_TILE_PARAMETERS                                                                      \
     redcc_worker *const redcc__worker __attribute__((__unused__)),                                 \
         const redcc_tile *const redcc__tile __attribute__((__unused__)),                           \
@@ -19,13 +19,13 @@
     (redcc__from > (redcc_int)(redcc_lower) ? (redcc_type)redcc__from : (redcc_type)(redcc_lower))
 #define REDCC_TILE_TO(redcc_type, redcc_bound)                                                     \
     (redcc__to < (redcc_int)(redcc_bound) ? (redcc_type)redcc__to : (redcc_type)(redcc_bound))
-/** The same for the condition counter <= bound. */
+/** As REDCC_TILE_TO, for an inner loop with the condition counter <= bound. */
 #define REDCC_TILE_UP_TO(redcc_type, redcc_bound)                                                  \
     (redcc__to - 1 < (redcc_int)(redcc_bound) ? (redcc_type)(redcc__to - 1)                        \
                                               : (redcc_type)(redcc_bound))
 
-/** Precedes a chunk's declarations: if a tile was handed out, executes it. Both counters have this
- *  step. */
+/** Precedes a chunk's declarations: if a tile was handed out, executes it. redcc_step is the step
+ * of both counters. */
 #define REDCC_TILED(redcc_step, redcc_call_of_tile, redcc_after_tile)                              \
     if (__builtin_expect(redcc__chunk_kind == REDCC_TILE, 0)) {                                    \
         const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
@@ -45,14 +45,15 @@ REDCC_INLINE redcc_word redcc_pairs(redcc_word m) {
     return m % 2 ? m * ((m - 1) / 2) : m / 2 * (m - 1);
 }
 
-/** The total number of inner iterations of rows 0 to k - 1, which have first, first - 1, ... of
- * them, but at least 0. */
+/** The number of inner iterations of rows 0 to k - 1. Row r has first - r inner iterations, or none
+ * if this is negative. */
 REDCC_INLINE redcc_word redcc_inner_trips_above(redcc_int first, redcc_int k) {
     const redcc_word rows = (redcc_word)(first < 0 ? 0 : first < k ? first : k);
     return rows * (redcc_word)first - redcc_pairs(rows);
 }
 
-/** The same for first, first + 1, ... inner iterations. */
+/** As redcc_inner_trips_above, where row r has first + r inner iterations, or none if this is
+ * negative. */
 REDCC_INLINE redcc_word redcc_inner_trips_below(redcc_int first, redcc_int k) {
     const redcc_int empty = first < 0 ? -first : 0;
     const redcc_word rows = (redcc_word)(k < empty ? 0 : k - empty);

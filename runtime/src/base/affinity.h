@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The processors that a thread may run on. The runtime never changes them: thread placement is
- *  left to the user, OpenMP and the kernel. */
+/** The processors that a thread may run on. The runtime never changes them, because thread
+ * placement is left to the user, OpenMP and the kernel. */
 #ifndef REDCC_AFFINITY_H
 #define REDCC_AFFINITY_H
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Detects memory that has several addresses. In a shared mapping an address does not identify
- * memory: a file, a segment or anonymous shared memory may be mapped at several places. Owners,
- * plans, bins and the overlap guard identify memory by its address, so a loop may run in parallel
- * only if each byte that it touches has one address. Private memory always does: writes to a
- * private mapping are not visible in other mappings of the file.
+ * Detects memory that has several addresses. A file, a System V segment or anonymous shared memory
+ * may be mapped at several addresses. Owners, plans, bins and the overlap guard identify memory by
+ * its address. So a loop may run in parallel only if each byte that it touches has one address.
+ * Private mappings satisfy this, because writes to them are not visible in other mappings of the
+ * file.
  */
 #ifndef REDCC_ALIASES_H
 #define REDCC_ALIASES_H
@@ -20,14 +20,14 @@ struct touches {
     const redcc_loop *loop; /* the loop that reads these sources; NULL: none */
 };
 
-/** May the loop also touch written memory at another address? True also if that is unknown. Takes a
+/** May the loop also touch written memory at another address? Also true if that is unknown. Takes a
  * few nanoseconds if no object of the process refers to a function that maps memory. Otherwise it
- * reads the mappings in each execution, because the kernel does not report new ones. A thread that
- * maps the written memory again during the loop has a data race. Thread-safe. */
+ * reads the process's mappings in each execution, because the kernel does not report new mappings.
+ * A thread that maps the written memory again during the loop has a data race. Thread-safe. */
 bool redcc_may_be_aliased(struct touches touches);
 
-/** Does the process have writable memory with several addresses? True also if that is unknown. For
- * steps that run before the touched addresses are known. */
+/** Does the process have writable memory with several addresses? Also true if that is unknown.
+ * Called before the touched addresses are known. */
 bool redcc_may_have_aliases(void);
 
 #endif

@@ -16,7 +16,7 @@ bool redcc_barrier_arrive(struct barrier *barrier, int threads) {
 }
 
 void redcc_barrier_release(struct barrier *barrier) {
-    assert(atomic_load(&barrier->arrived) > 0); /* called by the last to arrive */
+    assert(atomic_load(&barrier->arrived) > 0); /* the last thread to arrive calls this function */
     atomic_store_explicit(&barrier->arrived, 0, memory_order_relaxed);
     atomic_fetch_add(&barrier->phase, 1);
     redcc_wake(&barrier->phase, &barrier->asleep);

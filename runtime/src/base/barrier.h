@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A sense-reversing barrier for the threads of a region, of any threading library. The last thread
- * to arrive may run a serial section before the others continue.
+ * A sense-reversing barrier for the threads of a region, whatever library created them. The last
+ * thread to arrive may run a serial section before the other threads continue.
  */
 #ifndef REDCC_BARRIER_H
 #define REDCC_BARRIER_H
@@ -10,16 +10,16 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/** Zero-initialised; reusable, with any number of threads. */
+/** A barrier is zero-initialised and reusable, with any number of threads. */
 struct barrier {
     alignas(64) atomic_uint arrived;
-    alignas(64) atomic_uint phase; /* incremented when all have arrived */
+    alignas(64) atomic_uint phase; /* incremented when all threads have arrived */
     atomic_int asleep;             /* number of sleeping threads */
 };
 
-/** Of `threads` callers, the last one returns true immediately and must call redcc_barrier_release;
- *  the others return false after that call. They see all writes that any thread made before it
- *  arrived, and those of the last thread before its release. */
+/** Of `threads` callers, the last one gets true immediately and must call redcc_barrier_release.
+ * The others get false after that call. They then see all writes that any thread made before it
+ * arrived, and all writes of the last thread before the release. */
 bool redcc_barrier_arrive(struct barrier *barrier, int threads);
 
 /** Releases the waiting threads. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The variants REDCC_METHOD=binning, binning:records and binning:copies. */
+/** The variants of binning that REDCC_METHOD names: binning (EITHER), binning:records and
+ * binning:copies. */
 #ifndef REDCC_BINS_KIND_H
 #define REDCC_BINS_KIND_H
 

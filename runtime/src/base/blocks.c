@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Block sizes fall into classes, four per power of two, so that freed blocks can be reused. Small
- * blocks are cut from pieces of memory that are never unmapped. Large ones are separate mappings;
+ * blocks are cut from pieces of memory that are never unmapped. Large blocks are separate mappings;
  * some of them are cached, which avoids new page faults. If the lock is unavailable, as in a signal
  * handler that interrupted its holder, a block is a separate mapping.
  */
@@ -14,8 +14,8 @@
 enum {
     LINE = 64,
     PER_DOUBLING = 4,
-    CLASSES = 34 * PER_DOUBLING, /* larger blocks are mapped and unmapped */
-    SMALL_MOST = 64 * 1024,      /* bytes */
+    CLASSES = 34 * PER_DOUBLING, /* larger blocks are mapped and unmapped each time */
+    SMALL_MOST = 64 * 1024,      /* maximum size of a small block in bytes */
     PIECE = 1024 * 1024,
     LARGE_KEPT = 64 * 1024 * 1024
 };
@@ -26,18 +26,18 @@ struct free_block {
 
 static struct spin lock;
 static struct free_block *free_blocks[CLASSES];
-static char *piece; /* the unused rest of the piece from which small blocks are cut */
+static char *piece; /* the unused rest of the memory from which small blocks are cut */
 static size_t piece_left;
-static size_t kept; /* bytes of cached large blocks */
+static size_t kept; /* total bytes of cached large blocks */
 
-/* The size class of `bytes` > 0 bytes; *size is the size of its blocks. */
+/* The size class of `bytes` > 0 bytes. Sets *size to the size of the class's blocks. */
 static unsigned class_of(size_t bytes, size_t *size) {
     const size_t lines = (bytes + LINE - 1) / LINE;
     unsigned doublings = 0;
     while (lines > (size_t)2 * PER_DOUBLING << doublings)
         doublings++;
     const size_t step = (size_t)1 << doublings;
-    const size_t steps = (lines + step - 1) / step; /* up to 2 * PER_DOUBLING */
+    const size_t steps = (lines + step - 1) / step; /* at most 2 * PER_DOUBLING */
     *size = steps * step * LINE;
     assert(lines > 0 && *size >= bytes && steps <= (size_t)2 * PER_DOUBLING);
     return doublings * PER_DOUBLING + (unsigned)steps - 1;
@@ -48,8 +48,8 @@ static size_t whole_pages(size_t bytes) {
     return (bytes + page - 1) / page * page;
 }
 
-/* Cuts a small block. Abandons the rest of a piece that is too small: less than a sixteenth of it.
- */
+/* Cuts a small block from the piece. If the rest of the piece is too small, abandons it: this
+ * wastes less than a sixteenth of the piece. */
 static void *cut(size_t bytes) {
     if (piece_left < bytes) {
         char *more = redcc_system_map(PIECE);
@@ -93,7 +93,7 @@ void *redcc_block_alloc(size_t *bytes, bool keep) {
     return block || small ? block : redcc_system_map(*bytes);
 }
 
-/* Adds a block to the free ones. False: the caller must unmap it. */
+/* Adds a block to the free blocks. False: the caller must unmap it. */
 static bool put(void *block, size_t bytes, bool keep) {
     size_t size;
     const unsigned class = class_of(bytes, &size);
@@ -101,7 +101,7 @@ static bool put(void *block, size_t bytes, bool keep) {
     if (!small && (!keep || class >= CLASSES || size != bytes))
         return false;
     if (!redcc_spin_hope(&lock))
-        return small; /* without the lock, a small block is leaked */
+        return small; /* without the lock, a small block is never used again */
     const bool stays = small || kept + bytes <= LARGE_KEPT;
     if (stays) {
         struct free_block *free_block = block;

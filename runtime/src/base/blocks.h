@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Memory mapped by the runtime itself. The program may define its own malloc, which may support
- * only the threads that the program creates, not those of OpenMP. Every function is thread-safe.
+ * Memory mapped by the runtime itself. The runtime does not use malloc, because the program may
+ * define its own, which may support only the threads that the program creates, not those of OpenMP.
+ * Every function is thread-safe.
  */
 #ifndef REDCC_BLOCKS_H
 #define REDCC_BLOCKS_H
@@ -10,16 +11,15 @@
 #include <stddef.h>
 
 /** Allocates at least *bytes bytes, at a multiple of 64; sets *bytes to the actual size, which is
- *  needed to free the block. Not initialised. keep: a cached block may be used. NULL: out of
- * memory.
- */
+ * needed to free the block. The block is not initialised. keep: a cached block may be used. NULL:
+ * out of memory. */
 void *redcc_block_alloc(size_t *bytes, bool keep);
 
 /** Frees a block of `bytes` bytes; keep: caches it if possible. */
 void redcc_block_free(void *block, size_t bytes, bool keep);
 
-/** Must be called in a forked process. Since other threads may have held the lock, memory that was
- *  free then is not used again. */
+/** Must be called in a forked process. Another thread of the parent may have held the lock, so
+ * memory that was free at the fork is not used again. */
 void redcc_blocks_forked(void);
 
 #endif

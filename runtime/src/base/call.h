@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inputs of one call of a loop; constant for the stages of the pipeline. */
+/** The inputs of one call of a loop. The stages of the pipeline do not change them. */
 #ifndef REDCC_CALL_H
 #define REDCC_CALL_H
 
@@ -15,38 +15,39 @@ struct method;
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
-    void **bases;                 /* [array_count] */
-    redcc_extent *known;          /* [source_count] */
-    redcc_word *key;              /* [key_count] */
-    const redcc_extent *sections; /* [array_count] the caller's, for an execution by shares without
-                                   * an inspection (choose/sections.h); otherwise NULL */
+    void **bases;        /* [array_count] */
+    redcc_extent *known; /* [source_count] */
+    redcc_word *key;     /* [key_count] */
+    const redcc_extent
+        *sections; /* [array_count] the sections of the attempt, for an execution by shares without
+                      an inspection (choose/sections.h); otherwise NULL */
 };
 
 struct call {
     struct request request;
-    /* The settings in force. */
-    const struct method *method; /* named; NULL: auto */
-    int parameter;               /* the method's */
-    bool in_bins; /* binning, named or chosen for this call: no plan, and an inspection only with
-                   * REDCC_BINS_CHECKED */
+    /* The settings of this call. */
+    const struct method *method; /* the named method; NULL: auto */
+    int parameter;               /* the method's parameter */
+    bool in_bins; /* binning was named, or chosen for this call: there is no plan, and an inspection
+                     only with REDCC_BINS_CHECKED */
     redcc_order order;
     bool compensated;
     bool validate;
     int prefetch;        /* an enum prefetch_setting, REDCC_PREFETCH */
     int lanes;           /* an enum lanes_setting, REDCC_LANES */
     bool tracks;         /* track writes to subscripts, if possible (REDCC_WATCH) */
-    size_t memory_limit; /* bytes; 0: none */
-    /* The threads. */
+    size_t memory_limit; /* in bytes; 0: no limit */
+    /* The threads of this call. */
     bool always_planned; /* even a single thread executes by a plan */
     bool one_will_do;    /* a plan may be executed by a single thread */
     int asked;           /* number of threads requested */
-    int started;         /* how many of these must be started for this region */
+    int started;         /* how many of the requested threads must be started for this region */
     int threads;         /* number of threads in the region */
-    int planned; /* number for which a plan would be built (more than `threads` if one thread
-                  * takes a sample) */
-    struct float_control float_control; /* of the thread that entered */
-    double entered;                     /* seconds */
-    int error_before;                   /* errno of that thread */
+    int planned; /* number of threads for which a plan would be built (more than `threads` if one
+                    thread takes a sample) */
+    struct float_control float_control; /* state of the thread that entered the loop */
+    double entered;                     /* time of the entry in seconds */
+    int error_before;                   /* errno of the thread that entered the loop */
 };
 
 #endif

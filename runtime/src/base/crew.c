@@ -12,17 +12,17 @@ enum { LINE = 64 };
 
 struct redcc_crew {
     int threads;
-    int level; /* nesting level of its region */
-    /* the crew that the first thread leads in the enclosing region; NULL: none */
+    int level; /* nesting level of the crew's region */
+    /* the crew that the first thread leads in the enclosing region; NULL: it leads none there */
     struct redcc_crew *outer;
-    atomic_int users; /* threads that may still read this memory */
-    /* The current task. */
-    region_work *work; /* NULL: the loop is over */
+    atomic_int users; /* number of threads that may still read this memory */
+    /* The current task is a region that the first thread opens: */
+    region_work *work; /* NULL: the loop has ended */
     void *shared;
     int threads_at_work;
     atomic_uint tasks;               /* number of tasks so far */
-    atomic_int idle;                 /* threads that sleep until the next task */
-    _Alignas(LINE) atomic_uint left; /* threads that have not finished the task */
+    atomic_int idle;                 /* number of threads that sleep until the next task */
+    _Alignas(LINE) atomic_uint left; /* number of threads that have not finished the task */
     atomic_int asleep;
 };
 
@@ -36,7 +36,8 @@ extern int omp_get_thread_num(void) WEAK;
 redcc_crew *redcc_crew_new(void) {
     if (redcc_region_is_own() || !omp_get_level)
         return NULL;
-    redcc_memory_exempt(true); /* a limit must not change the bits: no crew, other bits */
+    redcc_memory_exempt(true); /* the limit must not prevent a crew, because without one the loop
+                                  may give other bits */
     struct redcc_crew *it = redcc_memory_alloc_zeroed(1, sizeof *it);
     redcc_memory_exempt(false);
     if (!it)

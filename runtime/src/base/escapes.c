@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The external functions that the objects of the process refer to and define.
+ * Finds out which external functions the objects of the process refer to and define.
  *
- * In most programs signal handlers end only by returning. Blocking signals during loops would gain
- * nothing for these programs, and would cost a tenth of a short loop's time. References are found
- * in the dynamic symbol tables of the objects. A statically linked program has none, so its
- * handlers are assumed to leave by siglongjmp, too.
+ * In most programs signal handlers end only by returning. For these programs signals need not be
+ * blocked during loops, which would cost a tenth of a short loop's time. References are found in
+ * the dynamic symbol tables of the objects. A statically linked program has none, so its handlers
+ * are assumed to leave by siglongjmp, too.
  */
 #include "base/escapes.h"
 
@@ -24,13 +24,13 @@
 extern struct r_debug _r_debug __attribute__((__weak__));
 
 struct object {
-    const Elf64_Sym *symbol, *end; /* NULL: unknown */
+    const Elf64_Sym *symbol, *end; /* NULL: the symbols are unknown */
     const char *text;
     size_t text_bytes;
 };
 
-/* Compares the first character before strcmp is called: most of the thousands of names differ
- * there. */
+/* Compares the first characters before it calls strcmp, because most of the thousands of names
+ * differ there. */
 static bool is_called(const char *name, const char *other) {
     return name[0] == other[0] && strcmp(name, other) == 0;
 }
@@ -69,8 +69,8 @@ static bool leaves(const char *name) {
     return is_one_of(name, names);
 }
 
-/* The C library and the linker map memory for themselves without a reference, and share none of
- * it. */
+/* Functions by which a program maps memory. The C library and the linker also map memory for
+ * themselves without such a reference, but never the same memory twice. */
 static bool maps(const char *name) {
     static const char *const names[] = {
         "mmap",    "mmap64", "__mmap",  "mremap", "__mremap", "shmat", "remap_file_pages",
@@ -78,14 +78,15 @@ static bool maps(const char *name) {
     return is_one_of(name, names);
 }
 
-/* OpenMP's libraries, which refer to some of these functions for internal purposes. */
+/* Does a library that defines this function belong to OpenMP? Such a library refers to some of the
+ * functions above for internal purposes only. */
 static bool is_openmp(const char *name) {
     static const char *const names[] = {"GOMP_parallel", "__kmpc_fork_call", NULL};
     return is_one_of(name, names);
 }
 
-/* Most addresses have been relocated by now; in objects that cannot be written, as the kernel's,
- * they are still relative. */
+/* Most addresses in the dynamic section have been relocated by now. In objects that cannot be
+ * written, such as the kernel's, they are still relative. */
 static struct object object_of(const struct link_map *map) {
     struct object object = {0};
     for (const Elf64_Dyn *entry = map->l_ld; entry && entry->d_tag != DT_NULL; entry++) {
@@ -99,14 +100,16 @@ static struct object object_of(const struct link_map *map) {
         if (entry->d_tag == DT_STRSZ)
             object.text_bytes = (size_t)entry->d_un.d_val;
     }
-    /* The number of symbols is not stored directly; linkers put the string table after them. */
+    /* The number of symbols is not stored directly; linkers put the string table after the symbols.
+     */
     const uintptr_t begin = (uintptr_t)object.symbol, end = (uintptr_t)object.text;
     if (object.symbol && object.text && end >= begin)
         object.end = object.symbol + (end - begin) / sizeof *object.symbol;
     return object;
 }
 
-/* Does the object refer to one of these functions for the program? True also if that is unknown. */
+/* Does the object refer to a function for which `is_meant` holds, and is it not OpenMP's library?
+ * Also true if that is unknown. */
 static bool refers(const struct link_map *map, bool (*is_meant)(const char *name)) {
     const struct object object = object_of(map);
     if (!object.end)
@@ -135,7 +138,7 @@ static bool defines(const struct link_map *map, const char *name) {
 
 enum { FREE = 1, ALIGNED = 2 + 4 + 8 };
 
-/* A bit for each of these functions that the object defines. */
+/* Returns a bit for each of the functions in names[] that the object defines. */
 static int allocator_of(const struct link_map *map) {
     static const char *const names[] = {"free", "aligned_alloc", "posix_memalign", "memalign"};
     const struct object object = object_of(map);
@@ -148,9 +151,8 @@ static int allocator_of(const struct link_map *map) {
     return defined;
 }
 
-/* Does the first object that defines free, and so provides it, lack one of the functions for
- * aligned memory?
- */
+/* Does the first object that defines free, which all other objects therefore call, lack one of the
+ * functions for aligned memory? */
 static bool is_split(void) {
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         const int defined = allocator_of(map);

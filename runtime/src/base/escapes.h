@@ -4,9 +4,10 @@
 
 #include <stdbool.h>
 
-/** May a signal handler, or a cancellation, leave the function that it interrupts, or continue it
- *  in another process? False only if no object of the process refers to a function that does this,
- *  or to one that could load more objects or functions. The answer of the first call is cached. */
+/** May a signal handler or a cancellation leave the function that it interrupts, or continue that
+ * function in another process? False only if no object of the process refers to a function that
+ * does this, or to one that could load more objects or functions. The answer of the first call is
+ * cached. */
 bool redcc_may_escape(void);
 
 /** May the program map memory at several addresses? False only if no object of the process refers
@@ -15,12 +16,13 @@ bool redcc_may_escape(void);
 bool redcc_may_map(void);
 
 /** Does the program define free without the functions for aligned memory? gcc's OpenMP library
- *  allocates its teams by these and releases them by free: after a region of one thread, and when
- *  the number of threads changes. The answer of the first call is cached. */
+ * allocates its teams by aligned_alloc or a similar function and releases them by free. It does so
+ * after a region of one thread and when the number of threads changes. The answer of the first call
+ * is cached. */
 bool redcc_allocator_is_split(void);
 
-/** Does a failing assertion end the process without calling any other function of the program: by
- * the C library's own report, with the default action of SIGABRT? */
+/** Does a failing assertion end the process without calling any other function of the program? This
+ * is so if the C library reports it and SIGABRT has its default action. */
 bool redcc_assertions_abort(void);
 
 #endif

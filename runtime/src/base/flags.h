@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Flags for synchronisation between two threads. At the beginning of each round (execution) all are
- * lowered, without a reset: a flag stores the round in which it was raised.
+ * Flags by which one thread waits for another. At the beginning of each round (execution) all flags
+ * are lowered without being reset, because a flag stores the round in which it was raised.
  */
 #ifndef REDCC_FLAGS_H
 #define REDCC_FLAGS_H
@@ -11,22 +11,22 @@
 
 struct flags {
     atomic_int asleep;
-    atomic_uint flag[]; /* the round in which it was raised */
+    atomic_uint flag[]; /* for each flag, the round in which it was raised */
 };
 
-/** Allocates `count` flags, lowered in all rounds except round 0; freed by redcc_memory_free. NULL:
- * out of memory. */
+/** Allocates `count` flags, which are lowered in all rounds except round 0. They are freed by
+ * redcc_memory_free. NULL: out of memory. */
 struct flags *redcc_flags_new(uint32_t count);
 
 /** Raises flag number `flag` for the rest of this round. */
 void redcc_flag_raise(struct flags *flags, uint32_t flag, unsigned round);
 
 /** Waits until the flag is raised; the caller then sees all earlier writes of the thread that
- *  raised it. threads: of the region. */
+ * raised it. `threads` is the number of threads of the region. */
 void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int threads);
 
-/** The same for a flag that is raised repeatedly, to higher values (modulo 2^32): waits until its
- *  value is `value` or greater. */
+/** As redcc_flag_await, for a flag that is raised repeatedly, to ascending values (modulo 2^32).
+ * Waits until the flag's value is `value` or greater. */
 void redcc_flag_await_past(struct flags *flags, uint32_t flag, unsigned value, int threads);
 
 #endif

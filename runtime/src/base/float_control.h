@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The part of a thread's state that affects its results. Floating point: the rounding direction,
- * flushing of subnormal numbers, exceptions that trap. fenv.h has no names for most of these, and
- * needs libm. Locale: it classifies characters and affects the reading of numbers. uselocale sets
- * it per thread, and a thread keeps the tables of setlocale that it found first. Memory: access
- * rights by protection keys. The program may have changed any of these since OpenMP's threads were
- * created, but they must compute the same results as the thread that entered the loop. On
- * processors other than x86-64 and 64-bit ARM each thread keeps its own floating-point state.
+ * The part of a thread's state that affects its results:
+ *
+ * - Floating point: the rounding direction, flushing of subnormal numbers, exceptions that trap.
+ *   fenv.h has no names for most of these, and its functions need libm.
+ * - Locale: it classifies characters and affects the reading of numbers. uselocale sets it per
+ *   thread, and a thread keeps the tables of setlocale that it used first.
+ * - Memory: access rights by protection keys.
+ *
+ * The program may have changed this state since OpenMP's threads were created, but they must
+ * compute the same results as the thread that entered the loop. On processors other than x86-64 and
+ * 64-bit ARM each thread keeps its own floating-point state.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H
@@ -18,7 +22,7 @@
 #include <stdint.h>
 
 #ifdef __GLIBC__
-/* The POSIX name may be defined by the program. */
+/* glibc's reserved name, because the program may define the POSIX name. */
 extern locale_t __uselocale(locale_t wanted);
 #define redcc_use_locale __uselocale
 #else
@@ -27,9 +31,9 @@ extern locale_t __uselocale(locale_t wanted);
 
 struct float_control {
     locale_t locale;
-    uint64_t vector; /* MXCSR; FPCR of 64-bit ARM */
+    uint64_t vector; /* MXCSR on x86-64; FPCR on 64-bit ARM */
     uint32_t rights; /* memory access rights */
-    uint16_t x87;    /* the control word for long double */
+    uint16_t x87;    /* the control word of the x87 unit, which computes long double */
 };
 
 /** The calling thread's state. */
@@ -39,7 +43,7 @@ static inline struct float_control redcc_float_control(void) {
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
     __asm__ volatile("fnstcw %0" : "=m"(own.x87));
-    own.vector = mxcsr & ~0x3fu; /* without the sticky exception flags */
+    own.vector = mxcsr & ~0x3fu; /* the sticky exception flags are left out */
 #elif defined(__aarch64__)
     __asm__ volatile("mrs %0, fpcr" : "=r"(own.vector));
 #endif
@@ -51,8 +55,8 @@ static inline bool redcc_float_control_equal(struct float_control a, struct floa
     return a.vector == b.vector && a.x87 == b.x87;
 }
 
-/** Does a floating-point exception trap? Its handler could observe that the exception occurs in
- *  another order than in the sequential loop. */
+/** Does a floating-point exception trap? A handler could then observe that exceptions occur in
+ * another order than in the sequential loop. */
 static inline bool redcc_float_traps(struct float_control own) {
 #if defined(__x86_64__)
     return (own.vector & 0x1f80) != 0x1f80 || (own.x87 & 0x3f) != 0x3f;
@@ -67,7 +71,7 @@ static inline bool redcc_float_traps(struct float_control own) {
 /** Sets the calling thread's state, except its sticky exception flags. */
 static inline void redcc_float_control_take(struct float_control wanted) {
     redcc_rights_set(wanted.rights);
-    redcc_use_locale(wanted.locale); /* also if it is the same: the tables may differ */
+    redcc_use_locale(wanted.locale); /* even if it is the same, the tables may differ */
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Detects fork by pthread_atfork handlers. _Fork and clone do not call them; a page that the system
- * wipes in a child detects these as well.
+ * Detects fork by pthread_atfork handlers. _Fork and clone do not call these handlers. Their
+ * children are detected by a page that the system clears in a child.
  */
-#define _GNU_SOURCE /* struct statx, MADV_WIPEONFORK */
+#define _GNU_SOURCE /* for struct statx and MADV_WIPEONFORK */
 #include "base/forked.h"
 
 #include "base/memory.h"
@@ -15,15 +15,16 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-static bool had_threads;       /* passes the answer from before fork to the child */
+static bool
+    had_threads; /* did the process have several threads just before fork? read by the child */
 atomic_bool redcc_had_threads; /* written while there is only one thread */
 atomic_char *redcc_process_mark;
-static long process; /* without a marked page: the id of the process registered last */
+static long process; /* if there is no such page: the id of the process registered last */
 
 #if defined(__linux__)
 
-/* A directory has a link to itself, one from its parent, and one for each subdirectory. Without
- * /proc, threads are assumed. */
+/* Counts the links of the directory that has one subdirectory per thread: it has a link to itself,
+ * one from its parent, and one for each subdirectory. Without /proc, threads are assumed. */
 static bool has_threads(void) {
     struct statx tasks;
     return redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0 ||
@@ -72,7 +73,8 @@ static void in_child(void) {
 }
 
 #if defined(__GLIBC__)
-/* What glibc's pthread_atfork calls. The program cannot define this reserved name. */
+/* The function that glibc's pthread_atfork calls. Its name is reserved, so the program cannot
+ * define it. */
 extern int __register_atfork(void (*)(void), void (*)(void), void (*)(void), void *);
 extern void *__dso_handle __attribute__((__visibility__("hidden")));
 
@@ -87,14 +89,15 @@ static bool register_handlers(void) {
 }
 #endif
 
-/* Registered at program start, because the program may have parallel regions of its own. */
+/* Registers the handlers at program start, because the program may have parallel regions of its own
+ * before its first loop. */
 __attribute__((constructor)) static void watch(void) {
     redcc_process_mark = redcc_wiped_page();
     begin_process(!register_handlers());
 }
 
-/* If the process is new, it was forked without the handlers: the number of its threads at that time
- * is unknown. */
+/* If the process is new, it was forked without the handlers, and the number of its threads at that
+ * time is unknown. */
 void redcc_note_process(void) {
     if (redcc_process_mark ? atomic_load(redcc_process_mark) == 0
                            : redcc_system_process() != process)

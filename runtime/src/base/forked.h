@@ -9,21 +9,22 @@
 #include <stdbool.h>
 
 /** Did an ancestor of the process have several threads when it forked? The child has only the
- * thread that forked, while GCC's OpenMP waits for the others. After _Fork or clone, which run no
- * handlers, threads are assumed. (A child that shares its parent's memory, as vfork's, is not
+ * thread that forked, but GCC's OpenMP would wait for the others. After _Fork or clone, which run
+ * no fork handlers, the answer is yes. (A child of vfork, which shares its parent's memory, is not
  * detected: it may only call exec or _exit.) Must be called before the runtime's memory is used.
  * Thread-safe. */
 static inline bool redcc_is_forked(void);
 
-/** A page of memory, zero, that the system clears in a child; NULL: not supported. */
+/** Returns a page of zeros that the system clears in a child process. NULL: the system does not
+ * support this. */
 void *redcc_wiped_page(void);
 
-/* Its first byte is 1 in a process that redcc_note_process has registered, and 0 in a new one,
- * since the system clears it. NULL: not supported. */
+/* The first byte of such a page: 1 in a process that redcc_note_process has registered, and 0 in a
+ * new process, because the system clears it. NULL: not supported. */
 extern atomic_char *redcc_process_mark;
 extern atomic_bool redcc_had_threads;
 
-/** Registers the current process if it is a new one. */
+/** Registers the current process if it is new. */
 void redcc_note_process(void);
 
 static inline bool redcc_is_forked(void) {

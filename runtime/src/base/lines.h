@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Text files of /proc, line by line. */
+/** Reads text files of /proc line by line. */
 #ifndef REDCC_LINES_H
 #define REDCC_LINES_H
 
@@ -8,7 +8,7 @@
 
 enum { REDCC_LONGEST_LINE = 512 };
 
-/** An open file; on the stack of its reader, used by one thread. */
+/** An open file. It is on the stack of its reader and used by one thread. */
 struct lines {
     int descriptor;
     bool failed; /* reading failed before the end */

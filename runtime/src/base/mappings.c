@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* O_DIRECTORY */
+#define _GNU_SOURCE /* for O_DIRECTORY */
 #include "base/mappings.h"
 
 #include "base/system.h"
@@ -66,9 +66,9 @@ static bool is_plain_device(const char *name) {
     return is_listed(name, plain);
 }
 
-/* Is a mapping with this name compatible with tracking? True for anonymous mappings, the system's
- * own names, and files that are neither devices nor a library that may confine the process later.
- */
+/* May writes be tracked although there is a mapping with this name? True for anonymous mappings,
+ * the system's own names, and files that are neither devices nor a library that may confine the
+ * process later. */
 static bool is_harmless(const char *name) {
     if (name[0] == '\0' || name[0] == '[')
         return true;
@@ -77,7 +77,7 @@ static bool is_harmless(const char *name) {
     return !begins(name, "/dev/") || is_plain_device(name);
 }
 
-/* Private, without a file behind it? */
+/* Is the memory private, with no file behind it? */
 static bool is_own(const struct mapping *mapping) {
     const bool unnamed = mapping->name[0] == '\0' || strcmp(mapping->name, "[heap]") == 0 ||
                          begins(mapping->name, "[anon:");
@@ -96,8 +96,8 @@ struct range redcc_mapping_of(uintptr_t address) {
     return found ? mapping.place : redcc_nowhere;
 }
 
-/* Checks a mapping. False: it forbids tracking. *covered: the pages are mapped up to this address.
- */
+/* Checks one mapping and adds it to *found if it contains some of `pages`. False: it forbids
+ * tracking. *covered is the address up to which `pages` are covered so far. */
 static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
                      uintptr_t *covered) {
     if (!is_harmless(mapping->name))
@@ -126,7 +126,8 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     return allowed && covered >= pages.end;
 }
 
-/* Is it certain that no memory is written, and no tracking is lost, through the descriptor? */
+/* Is it certain that no memory is written, and no tracking is disturbed, through this descriptor?
+ */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);
@@ -138,7 +139,7 @@ static bool is_harmless_descriptor(int folder, const char *number, int own) {
     return !begins(name, "/dev/") || is_plain_device(name);
 }
 
-/* getdents64(2). */
+/* An entry of a directory as getdents64(2) returns it. */
 struct entry {
     uint64_t inode;
     int64_t next;

@@ -14,8 +14,8 @@ bool redcc_maps_by_text;
 
 static const char maps_path[] = "/proc/self/maps";
 
-/* struct procmap_query and PROCMAP_QUERY of <linux/fs.h> (Linux 6.11), repeated here because older
- * headers lack them. */
+/* struct procmap_query and PROCMAP_QUERY of <linux/fs.h> (Linux 6.11). They are repeated here
+ * because older headers lack them. */
 struct question {
     uint64_t size;
     uint64_t flags;
@@ -80,7 +80,8 @@ static enum maps_answer ask(struct maps *maps, uintptr_t from, enum which_maps w
     return MAPS_FOUND;
 }
 
-/* "7f11bd400000-7f11bd428000 r--p 00000000 08:01 5505057    /usr/lib/x86_64-linux-gnu/libc.so.6" */
+/* Parses a line such as "7f11bd400000-7f11bd428000 r--p 00000000 08:01 5505057
+ * /usr/lib/libc.so.6". */
 bool redcc_maps_parse(const char *line, struct mapping *mapping) {
     char *at = NULL;
     mapping->place.first = (uintptr_t)strtoull(line, &at, 16);
@@ -120,7 +121,7 @@ static bool is_selected(const struct mapping *mapping, uintptr_t from, enum whic
 
 static enum maps_answer read_on(struct maps *maps, uintptr_t from, enum which_maps which,
                                 struct mapping *found) {
-    if (from < maps->reached) { /* start again from the beginning */
+    if (from < maps->reached) { /* starts again from the beginning */
         redcc_lines_close(&maps->lines);
         if (!redcc_lines_open(&maps->lines, maps_path))
             return MAPS_UNKNOWN;

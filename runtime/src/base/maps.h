@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The mappings of the process, one by one: /proc/self/maps, proc_pid_maps(5). Linux 6.11 and later
- * supports queries for single mappings (PROCMAP_QUERY), which take some microseconds for any number
- * of mappings. Otherwise the text is read, at 1 to 2 microseconds per mapping.
+ * Reads the mappings of the process one by one from /proc/self/maps, proc_pid_maps(5). Linux 6.11
+ * and later supports queries for single mappings (PROCMAP_QUERY), which take some microseconds for
+ * any number of mappings. On other systems the text is read, which takes 1 to 2 microseconds per
+ * mapping.
  */
 #ifndef REDCC_MAPS_H
 #define REDCC_MAPS_H
@@ -10,46 +11,47 @@
 #include "base/lines.h"
 #include "base/range.h"
 
-/** The object behind mappings: a file, a segment, anonymous shared memory. */
+/** The object that a mapping shows: a file, a System V segment, or anonymous shared memory. */
 struct object {
     uint64_t device;
-    uint64_t inode; /* 0: no object; the memory belongs to the mapping */
+    uint64_t inode; /* 0: there is no object, and the memory belongs to the mapping */
 };
 
 /** A mapping. */
 struct mapping {
     struct range place;
-    uint64_t offset; /* of its first byte in the object */
+    uint64_t offset; /* the offset of its first byte in the object */
     struct object object;
     bool is_shared;
     bool is_writable;
-    const char *name; /* as in the text; valid until the next one is read */
+    const char *name; /* the name in the text; valid until the next mapping is read */
 };
 
-/** The state of reading the list of mappings; on the stack of its reader, used by one thread. */
+/** The state of reading the list of mappings. It is on the stack of its reader and used by one
+ * thread. */
 struct maps {
     struct lines lines;
     bool by_text;      /* the kernel does not support queries */
-    uintptr_t reached; /* by text: the end of the mapping read last */
+    uintptr_t reached; /* if by_text: the end of the mapping read last */
 };
 
-/** A selection of mappings. */
+/** Which mappings to read. */
 enum which_maps {
     MAPS_ALL,
-    MAPS_SHARED, /* writable, and writes go to the object */
+    MAPS_SHARED, /* those that are writable and whose writes go to the object */
     MAPS_OF_OBJECTS
 };
 
 enum maps_answer {
     MAPS_FOUND,
-    MAPS_END,    /* there is no further one */
+    MAPS_END,    /* there is no further mapping */
     MAPS_UNKNOWN /* the mappings cannot be read */
 };
 
 /** For tests: reads the text even if the kernel supports queries. */
 extern bool redcc_maps_by_text;
 
-/** Opens the list. False: there is no /proc. */
+/** Opens the list. False: it cannot be opened. */
 bool redcc_maps_open(struct maps *maps);
 
 /** Stores the first selected mapping that ends after `from` in *found. */

@@ -11,15 +11,15 @@
 
 enum { LINE = 64 };
 
-/* Occupies the cache line before a block. */
+/* The header of a block. It occupies the cache line before the block. */
 struct header {
     size_t bytes; /* bytes counted against the limit */
-    size_t held;  /* bytes of the underlying block */
-    bool kept;    /* may be cached */
+    size_t held;  /* size of the underlying memory, which may be larger */
+    bool kept;    /* the memory may be cached when it is freed */
 };
 
-#if defined(__SANITIZE_ADDRESS__) /* separate blocks, so that accesses beyond their ends are       \
-                                     detected */
+#if defined(__SANITIZE_ADDRESS__) /* allocates blocks separately, so that accesses beyond their    \
+                                     ends are detected */
 static void *block_alloc(size_t *bytes, bool keep) {
     (void)keep;
     return aligned_alloc(LINE, *bytes);
@@ -36,7 +36,7 @@ static void block_free(void *block, size_t bytes, bool keep) {
 #endif
 
 static atomic_size_t in_use;
-static atomic_size_t limit;         /* 0: none */
+static atomic_size_t limit;         /* 0: no limit */
 static _Thread_local bool is_exempt /* exempt from the limit */
     __attribute__((__tls_model__("initial-exec")));
 static atomic_long live;

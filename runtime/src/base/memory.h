@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * All memory of the runtime: counted, limited by REDCC_MEMORY_LIMIT, with failures injected by
- * tests. It never comes from the program's malloc (blocks.h), except under AddressSanitizer. Every
- * function is thread-safe.
+ * Allocates all memory of the runtime. It is counted, limited by REDCC_MEMORY_LIMIT, and tests can
+ * make allocations fail. The memory never comes from the program's malloc (blocks.h), except under
+ * AddressSanitizer. Every function is thread-safe.
  */
 #ifndef REDCC_MEMORY_H
 #define REDCC_MEMORY_H
@@ -10,9 +10,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** Allocates `bytes` bytes, aligned to a cache line. Not initialised, so that the first thread to
- * write a page determines its NUMA node. NULL if out of memory, or if the limit would be exceeded.
- */
+/** Allocates `bytes` bytes, aligned to a cache line. The memory is not initialised, so that the
+ * first thread to write a page determines its NUMA node. NULL if out of memory, or if the limit
+ * would be exceeded. */
 void *redcc_memory_alloc(size_t bytes);
 
 /** As redcc_memory_alloc, for `count` items of `size` bytes, all zero. */
@@ -21,8 +21,8 @@ void *redcc_memory_alloc_zeroed(size_t count, size_t size);
 /** A copy of the text; NULL: out of memory. */
 char *redcc_memory_copy_text(const char *text);
 
-/** Resizes a block (NULL: an empty one) and keeps its contents; returns the new block. NULL:
- *  `block` is unchanged. */
+/** Resizes a block and keeps its contents; returns the new block. If `block` is NULL, allocates
+ * one. NULL: out of memory, and `block` is unchanged. */
 void *redcc_memory_resize(void *block, size_t bytes);
 
 /** Frees a block; NULL does nothing. */
@@ -31,26 +31,26 @@ void redcc_memory_free(void *block);
 /** Must be called in a forked process: other threads of the parent may have been allocating. */
 void redcc_memory_forked(void);
 
-/** Bytes that a block occupies, its header included; 0 for NULL. */
+/** The number of bytes that a block occupies, including its header; 0 for NULL. */
 size_t redcc_memory_size(const void *block);
 
-/** Limits the total to `bytes` from now on; 0: no limit. */
+/** Limits the total memory to `bytes` from now on; 0: no limit. */
 void redcc_memory_limit(size_t bytes);
 
-/** Sets whether allocations of the calling thread are exempt from the limit. For memory other than
- * plans and copies, such as a loop's row in the report. */
+/** Sets whether allocations of the calling thread are exempt from the limit. Memory other than
+ * plans and copies is exempt, such as a loop's row in the report. */
 void redcc_memory_exempt(bool owed);
 
-/** For tests: after `calls_from_now` more allocations, all fail (negative: none). */
+/** For tests: after `calls_from_now` more allocations, all fail. Negative: none fails. */
 void redcc_memory_fail_after(long calls_from_now);
 
 /** Has redcc_memory_fail_after taken effect, so that every allocation fails? */
 bool redcc_memory_is_exhausted(void);
 
-/** Number of allocated blocks. */
+/** The number of allocated blocks. */
 long redcc_memory_live(void);
 
-/** Number of allocated bytes. */
+/** The number of allocated bytes. */
 size_t redcc_memory_in_use(void);
 
 #endif

@@ -6,8 +6,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
-/* Most machines have one node. Checked first, because the query of the thread's node takes a
- * hundredth of a short loop's time. */
+/* Does the machine have several NUMA nodes? Most have one. This is checked first, because querying
+ * the thread's node takes a hundredth of a short loop's time. */
 static bool has_several(void) {
     char text[8] = "";
 #if defined(__linux__)

@@ -2,7 +2,7 @@
 #ifndef REDCC_NODE_H
 #define REDCC_NODE_H
 
-/** The NUMA node on which the calling thread runs now; -1: unknown. */
+/** The NUMA node on which the calling thread is running; -1: unknown. */
 int redcc_node(void);
 
 #endif

@@ -10,8 +10,8 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* The references to thread functions are strong: weak ones would not link them into a static
- * program. */
+/* The references to functions for threads are strong: weak ones would not link these functions into
+ * a static program. */
 
 #ifdef __GLIBC__
 
@@ -21,9 +21,9 @@ static void nothing(void *unused) {
     (void)unused;
 }
 
-/* Registers a thread destructor in this object, which keeps it loaded until the thread ends. The
- * executable needs none: it is never unloaded. A registration calls the program's allocator, which
- * may support only one thread (attack 32 of docs/soundness.md). */
+/* Registers a thread destructor in this object, which keeps the object loaded until the thread
+ * ends. The executable needs none, because it is never unloaded. A registration calls the program's
+ * allocator, which may support only one thread (attack 32 of docs/soundness.md). */
 static void stay_loaded(void) {
     if (!redcc_system_is_program())
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
@@ -34,7 +34,7 @@ static bool call_at_end(void (*end)(void *), void *it) {
     return __cxa_thread_atexit_impl(end, it, (void *)(uintptr_t)nothing) == 0;
 }
 
-#else /* musl, whose dlclose unloads nothing */
+#else /* musl: its dlclose unloads nothing */
 
 static void stay_loaded(void) {
 }
@@ -57,22 +57,22 @@ static bool call_at_end(void (*end)(void *), void *it) {
 
 enum { MOST = 1024, LINE = 64 };
 
-/* One thread's next task, in cache lines of its own. */
+/* One thread's next task. It has cache lines of its own. */
 struct slot {
-    _Alignas(LINE) atomic_uint region; /* changes when there is a task */
+    _Alignas(LINE) atomic_uint region; /* changes when there is a new task */
     atomic_int asleep;
     struct pool *pool;
     int number;
     int threads;
-    region_work *work; /* NULL: end */
+    region_work *work; /* NULL: the thread must end */
     void *shared;
 };
 
 struct pool {
-    atomic_uint left; /* threads that the current region waits for */
+    atomic_uint left; /* number of threads that the current region waits for */
     atomic_int asleep;
-    atomic_int alive; /* threads that still use this memory; the last one frees it */
-    int threads;      /* started threads plus the calling one */
+    atomic_int alive; /* number of threads that still use this memory; the last one frees it */
+    int threads;      /* number of started threads, plus one for the calling thread */
     struct slot slot[MOST];
 };
 

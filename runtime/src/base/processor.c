@@ -2,7 +2,8 @@
 #include "base/processor.h"
 
 /* Uses the features that glibc's loader has found. gcc's own library would query the processor
- * again, before main: 0.07 ms in a virtual machine, whose host emulates each query. */
+ * again before main. In a virtual machine, where the host emulates each query, that takes 0.07 ms.
+ */
 #if defined(__x86_64__) && defined(__has_include)
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>
@@ -31,7 +32,7 @@ bool redcc_has_avx2(void) {
 #endif
 }
 
-/* CPUID shows whether the system has enabled the keys. */
+/* Uses the CPUID bit that shows whether the system has enabled the keys. */
 bool redcc_has_protection_keys(void) {
 #if defined(GLIBC_ASKED)
     const unsigned bit = x86_cpu_OSPKE % 128;

@@ -27,7 +27,7 @@ static inline bool redcc_range_empty(struct range range) {
     return range.end <= range.first;
 }
 
-/** The range of an extent; empty if not known yet. */
+/** The range of an extent; empty if the extent is not known yet. */
 static inline struct range redcc_range_of(redcc_extent extent) {
     return extent.end ? (struct range){(uintptr_t)extent.first, (uintptr_t)extent.end}
                       : redcc_nowhere;
@@ -42,7 +42,7 @@ static inline bool redcc_ranges_overlap(struct range a, struct range b) {
     return !redcc_range_empty(a) && !redcc_range_empty(b) && a.first < b.end && b.first < a.end;
 }
 
-/** The smallest range that contains both. */
+/** The smallest range that contains both ranges. */
 static inline struct range redcc_range_union(struct range a, struct range b) {
     return (struct range){a.first < b.first ? a.first : b.first, a.end > b.end ? a.end : b.end};
 }

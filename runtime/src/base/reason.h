@@ -55,7 +55,7 @@ enum reason {
         REASON_COUNT
 };
 
-/** The slug, and the text of the report. */
+/** The slug of a reason, and its text in the report. */
 const char *redcc_reason_slug(enum reason reason);
 const char *redcc_reason_text(enum reason reason);
 

@@ -12,7 +12,8 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* GNU's OpenMP library and LLVM's export these. Weak, so that programs link without either. */
+/* Both GNU's and LLVM's OpenMP libraries export these functions. They are weak, so that programs
+ * link without a library. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void (*)(void *), void *, unsigned, unsigned) WEAK;
 extern int omp_get_max_threads(void) WEAK;
@@ -25,8 +26,8 @@ bool redcc_region_is_own(void) {
            !omp_in_parallel;
 }
 
-/* The first number of an environment variable such as OMP_NUM_THREADS, or `otherwise`; also in a
- * setuid program. */
+/* The number at the beginning of an environment variable such as OMP_NUM_THREADS. `otherwise` if
+ * there is none, and in a setuid program. */
 static int number_of(const char *variable, int otherwise) {
     const char *text = redcc_system_is_privileged() ? NULL : getenv(variable);
     char *end = NULL;

@@ -7,9 +7,8 @@ bool redcc_rights_assumed;
 
 #if defined(__x86_64__)
 
-/* Written as bytes, because assemblers and compilers know the instructions by name only with an
- * option.
- */
+/* The instructions are written as bytes, because assemblers and compilers know their names only
+ * with an option. */
 static uint32_t read_rights(void) {
     uint32_t rights, unused;
     __asm__ volatile(".byte 0x0f, 0x01, 0xee" /* rdpkru */ : "=a"(rights), "=d"(unused) : "c"(0));

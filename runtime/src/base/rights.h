@@ -7,10 +7,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** For tests: assume that the processor and the system have keys. */
+/** For tests: assume that the processor and the system have protection keys. */
 extern bool redcc_rights_assumed;
 
-/** The calling thread's rights; 0 without keys. */
+/** The calling thread's rights; 0 if there are no keys. */
 uint32_t redcc_rights(void);
 
 /** Sets the calling thread's rights. */

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The kinds of plans that an inspection builds. */
+/** The ways in which an inspection may lead to a plan. */
 #ifndef REDCC_ROUTE_H
 #define REDCC_ROUTE_H
 
-/** The route is decided by the first stage of the inspection that has the necessary information. */
+/** The first stage of the inspection that has the necessary information decides the route. */
 enum route {
-    ROUTE_SERIAL, /* no plan: the original loop */
-    ROUTE_OWNERS, /* owners cut by address */
-    ROUTE_DIRECT, /* the same, without schedules: threads find their iterations during execution */
-    ROUTE_COPIES, /* private copies: owners do not matter */
-    ROUTE_GRAPH,  /* owners cut from the access graph */
-    ROUTE_LEVELS  /* iterations in levels */
+    ROUTE_SERIAL, /* no plan: the original loop runs */
+    ROUTE_OWNERS, /* owners with consecutive ranges of addresses */
+    ROUTE_DIRECT, /* as ROUTE_OWNERS, without schedules: threads find their iterations during
+                     execution */
+    ROUTE_COPIES, /* private copies, so that owners do not matter */
+    ROUTE_GRAPH,  /* owners chosen by partitioning the access graph */
+    ROUTE_LEVELS  /* no owners: iterations are executed level by level */
 };
 
 #endif

@@ -12,9 +12,10 @@
 #include <sys/uio.h>
 #endif
 
-/* The least time between two executions, so that the second one loads pointers. A system call takes
- * 0.3 microseconds, 0.5 % of it. A loop that is executed more often never loads, and so remains
- * sequential: to wake threads takes some 10 microseconds. */
+/* Pointers are loaded in an execution only if this time has passed since the execution before it. A
+ * system call takes 0.3 microseconds, 0.5 % of this time. A loop that is executed more often never
+ * loads, and so remains sequential: it is too short, since waking threads takes some 10
+ * microseconds. */
 enum { LEAST_NANOSECONDS = 60000 };
 
 bool redcc_is_time_to_load(redcc_word *last) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Reads pointers before a loop that the program may read only under conditions. */
+/** Loads pointers before a loop, although the program may read them only under conditions. */
 #ifndef REDCC_SAFE_LOAD_H
 #define REDCC_SAFE_LOAD_H
 
@@ -8,11 +8,11 @@
 #include <stdbool.h>
 
 /** Was the last call so long ago that the cost of some system calls is negligible? *last has the
- * time of that call, and is set to that of this one. */
+ * time of that call, and is set to the time of this call. */
 bool redcc_is_time_to_load(redcc_word *last);
 
-/** Copies `bytes` bytes from `from` and returns 1; 0 if they are unreadable, or if that is unknown.
- *  Never causes a fault or a signal, and never reads device memory. */
+/** Copies `bytes` bytes from `from` and returns 1. Returns 0 if the bytes are unreadable or might
+ * be. Never causes a fault or a signal, and never reads device memory. */
 int redcc_load(void *to, const char *from, redcc_size bytes);
 
 #endif

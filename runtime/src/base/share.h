@@ -15,15 +15,16 @@ static inline redcc_int redcc_max(redcc_int a, redcc_int b) {
     return a > b ? a : b;
 }
 
-/** The first iteration of share `thread` of `threads`: each thread inspects its share, and executes
- *  it under methods that share iterations evenly. thread == threads: `trip`. */
+/** The first iteration of share number `thread` when iterations are divided into `threads` equal
+ * shares; `trip` if thread == threads. Each thread inspects its share. It also executes it under
+ * methods that divide iterations evenly. */
 static inline redcc_int redcc_share(redcc_int trip, int threads, int thread) {
     const redcc_int quotient = trip / threads, rest = trip % threads;
     return quotient * thread + (thread < rest ? thread : rest);
 }
 
 /** The first item of part `part` when `count` items are divided into `parts` consecutive equal
- *  parts; part == parts: `count`. */
+ * parts; `count` if part == parts. */
 static inline uint32_t redcc_part_first(uint32_t count, int parts, int part) {
     return (uint32_t)((uint64_t)count * (uint64_t)part / (uint64_t)parts);
 }

@@ -10,8 +10,8 @@
 
 #define BIT(number) (UINT64_C(1) << ((number)-1))
 
-/* Signals that the thread itself raises; and glibc's internal signal by which setuid reaches all
- * threads: the thread that called setuid waits for them. */
+/* Signals that the thread itself raises, and glibc's internal signal (33) by which setuid reaches
+ * all threads: the thread that called setuid waits for all others to handle it. */
 #define NEVER_HELD                                                                                 \
     (BIT(SIGSEGV) | BIT(SIGBUS) | BIT(SIGFPE) | BIT(SIGILL) | BIT(SIGTRAP) | BIT(SIGSYS) | BIT(33))
 
@@ -29,7 +29,7 @@ void redcc_signals_release(uint64_t before) {
     set_mask(SIG_SETMASK, before, NULL);
 }
 
-/* The kernel's struct sigaction; only these fields are read. */
+/* The kernel's struct sigaction, of which only these fields are read. */
 struct action {
     uintptr_t handler;
     uintptr_t flags;
@@ -55,13 +55,14 @@ static bool is_on_other_stack(void) {
 
 #if defined(__x86_64__) && defined(__LP64__)
 
-/* The scan of the stack also reads memory between variables. */
+/* The scan of the stack also reads memory between variables, which sanitizers would report. */
 #define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
 
-/* Recognises a handler's return address, with the interrupted context above it: sigreturn(2),
- * struct rt_sigframe. The context holds a null link, and the interrupted stack pointer, which lies
- * above this frame. In the processor's flags, bit 1 is always set, and bits 22 and above never are.
- * The return address alone proves nothing, since the stack may hold old contents. */
+/* Is the word at `at` a handler's return address, with the interrupted context above it
+ * (sigreturn(2), struct rt_sigframe)? The context has a null link and the interrupted stack
+ * pointer, which lies above this frame. In its processor flags, bit 1 is always set, and bits 22
+ * and above never are. The return address alone proves nothing, since the stack may hold old
+ * contents. */
 NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
     enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
     return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&
@@ -96,7 +97,7 @@ bool redcc_signals_in_handler(uint64_t before) {
         return false;
 #if defined(__x86_64__) && defined(__LP64__)
     return is_on_other_stack() || has_frame(restorer);
-#else /* while a handler runs, its signal is blocked */
+#else /* no scan of the stack: but while a handler runs, its signal is blocked */
     (void)restorer;
     return is_on_other_stack() || blocked;
 #endif

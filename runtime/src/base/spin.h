@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** A spin lock for critical sections shorter than a sleep. If signals are not blocked (signals.h),
- * a handler may find that its own thread holds the lock: then use redcc_spin_hope. */
+ * a handler may find that its own thread holds the lock. Such locks are acquired by
+ * redcc_spin_hope. */
 #ifndef REDCC_SPIN_H
 #define REDCC_SPIN_H
 
@@ -13,13 +14,14 @@ struct spin {
     atomic_int held;
 };
 
-/** Acquires the lock if it is free; false otherwise. */
+/** Acquires the lock if it is free; otherwise returns false. */
 static inline bool redcc_spin_try(struct spin *lock) {
     return atomic_load_explicit(&lock->held, memory_order_relaxed) == 0 &&
            atomic_exchange_explicit(&lock->held, 1, memory_order_acquire) == 0;
 }
 
-/** Acquires the lock. False after a long wait, because its holder may never release it. */
+/** Acquires the lock. Returns false after a long wait, because the lock's holder may never release
+ * it. */
 static inline bool redcc_spin_hope(struct spin *lock) {
     for (int tries = 0; tries < 10000; tries++) {
         if (redcc_spin_try(lock))

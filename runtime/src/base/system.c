@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* MAP_ANONYMOUS, cpu_set_t */
+#define _GNU_SOURCE /* for MAP_ANONYMOUS and cpu_set_t */
 #include "base/system.h"
 
 #include "base/vdso.h"
@@ -18,10 +18,11 @@
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 
-/* The library's reserved name for the kernel's auxiliary vector. */
+/* glibc's reserved name of getauxval, which reads the kernel's auxiliary vector. */
 extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
 
-/* Keeps errno, which the library sets if the kernel gives no such value. Then the result is 0. */
+/* Preserves errno, which the library sets if the kernel gives no such value. Then the result is 0.
+ */
 static unsigned long auxiliary_value(unsigned long what) {
     const int before = errno;
     const unsigned long value = __getauxval ? __getauxval(what) : 0;
@@ -34,7 +35,7 @@ typedef Elf64_Ehdr elf_header;
 #else
 typedef Elf32_Ehdr elf_header;
 #endif
-/* The linker's symbol for the beginning of this object. */
+/* A symbol that the linker defines at the beginning of this object. */
 extern const elf_header __ehdr_start __attribute__((__weak__, __visibility__("hidden")));
 
 bool redcc_system_is_program(void) {
@@ -64,15 +65,14 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
     redcc_system_close(file);
 }
 
-#ifdef SYS_mmap2 /* mmap2 takes the offset in pages, but these mappings have no file */
+#ifdef SYS_mmap2 /* mmap2 takes the offset in pages, but the offset of these mappings is 0 */
 #define MAP_CALL SYS_mmap2
 #else
 #define MAP_CALL SYS_mmap
 #endif
 
 /* One thread may unmap memory that the kernel then maps for another thread. The kernel orders the
- * two calls. Race detectors do not see this order in system calls, but they see it in this counter.
- */
+ * two calls, but race detectors do not see that. This counter shows them the order. */
 static atomic_uint unmapped;
 
 void *redcc_system_map(size_t bytes) {
@@ -137,7 +137,8 @@ int redcc_system_node(void) {
     return -1;
 }
 
-/* Cached: loops need it before each execution, and many are shorter than a system call. */
+/* The result is cached, because loops need it before each execution, and many executions are
+ * shorter than a system call. */
 uint64_t redcc_system_memory(void) {
     static atomic_uint mebibytes;
     unsigned known = atomic_load_explicit(&mebibytes, memory_order_relaxed);
@@ -157,7 +158,8 @@ long redcc_system_process(void) {
     return redcc_system(SYS_getpid);
 }
 
-/* The 22nd field of /proc/self/stat; the second, a name in brackets, may contain anything. */
+/* Reads the 22nd field of /proc/self/stat. The search begins after the second field, a name in
+ * brackets which may contain any character. */
 unsigned long long redcc_system_started(void) {
     char text[1024] = "";
     redcc_system_read_text("/proc/self/stat", text, sizeof text);
@@ -167,7 +169,7 @@ unsigned long long redcc_system_started(void) {
     return at ? strtoull(at, NULL, 10) : 0;
 }
 
-/* /proc/loadavg: "0.25 1.42 1.78 3/77 7479": 3 of 77 threads run. */
+/* Reads /proc/loadavg. In "0.25 1.42 1.78 3/77 7479", 3 of 77 threads are runnable. */
 int redcc_system_running(void) {
     char text[128] = "";
     redcc_system_read_text("/proc/loadavg", text, sizeof text);
@@ -177,7 +179,7 @@ int redcc_system_running(void) {
     return at ? (int)strtol(at, NULL, 10) : 0;
 }
 
-/* "0-1", "0,2-5". */
+/* Counts processors in lists such as "0-1" and "0,2-5". */
 int redcc_system_online(void) {
     char text[1024] = "";
     redcc_system_read_text("/sys/devices/system/cpu/online", text, sizeof text);
@@ -203,10 +205,11 @@ void redcc_system_secret(uint64_t *word, size_t words) {
     const size_t bytes = words * sizeof *word;
     if (redcc_system(SYS_getrandom, word, bytes, 1 /* GRND_NONBLOCK */) == (long)bytes)
         return;
-    const uint64_t *given = (const uint64_t *)auxiliary_value(AT_RANDOM); /* 16 bytes */
+    const uint64_t *given =
+        (const uint64_t *)auxiliary_value(AT_RANDOM); /* the kernel's 16 random bytes */
     const struct timespec now = redcc_system_clock(CLOCK_REALTIME);
     uint64_t state = (uint64_t)now.tv_nsec ^ (uint64_t)(uintptr_t)&state;
-    for (size_t i = 0; i < words; i++) { /* splitmix64 */
+    for (size_t i = 0; i < words; i++) { /* the generator splitmix64 */
         state += 0x9e3779b97f4a7c15u + (given ? given[i & 1] : 0);
         uint64_t mixed = (state ^ state >> 30) * 0xbf58476d1ce4e5b9u;
         mixed = (mixed ^ mixed >> 27) * 0x94d049bb133111ebu;
@@ -214,7 +217,7 @@ void redcc_system_secret(uint64_t *word, size_t words) {
     }
 }
 
-#else /* another system: POSIX, under its public names */
+#else /* other systems: POSIX functions under their public names */
 
 #include <sched.h>
 #include <sys/mman.h>

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Direct system calls. ISO C reserves none of POSIX's names, such as read, close, mmap, sysconf and
- * clock_gettime (C17 7.1.3): a function of the program with such a name would replace the
- * library's. No function here sets errno, is a cancellation point, allocates or takes a lock; all
- * are thread-safe and async-signal-safe. tests/runtime/check-symbols checks the names to which
- * the runtime refers.
+ * Direct system calls, used in place of POSIX functions such as read, close, mmap, sysconf and
+ * clock_gettime. ISO C does not reserve these names (C17 7.1.3), so that a function of the program
+ * with such a name would replace the library's. No function here sets errno, is a cancellation
+ * point, allocates or takes a lock; all are thread-safe and async-signal-safe.
+ * tests/runtime/check-symbols checks the names to which the runtime refers.
  */
 #ifndef REDCC_SYSTEM_H
 #define REDCC_SYSTEM_H
@@ -53,7 +53,7 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
     return first;
 }
 
-#else /* the library's function under its public name: there is no alternative */
+#else /* there is no alternative to the library's function under its public name */
 
 #include <errno.h>
 #include <unistd.h>
@@ -77,16 +77,17 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
 
 /** Is the runtime linked into the executable, which is never unloaded? False if unknown. */
 bool redcc_system_is_program(void);
-/** Opens a file for reading; returns its descriptor, or a negative number. */
+/** Opens a file for reading. Returns its descriptor, or a negative number on failure. */
 int redcc_system_open(const char *name);
 
-/** Reads up to `bytes` bytes; returns their number, 0 at the end, negative on failure. */
+/** Reads up to `bytes` bytes. Returns the number of bytes read, 0 at the end of the file, or a
+ * negative number on failure. */
 long redcc_system_read(int descriptor, void *into, size_t bytes);
 
 void redcc_system_close(int descriptor);
 
 /** Reads the beginning of a file into `text`, which has `bytes` bytes, all zero; the last byte
- * stays zero. On failure all stay zero. */
+ * stays zero. On failure all bytes stay zero. */
 void redcc_system_read_text(const char *name, char *text, size_t bytes);
 
 #endif
@@ -97,7 +98,7 @@ void *redcc_system_map(size_t bytes);
 /** Unmaps memory of redcc_system_map. */
 void redcc_system_unmap(void *memory, size_t bytes);
 
-/** Bytes of a page. */
+/** The size of a page in bytes. */
 size_t redcc_page_size(void);
 
 /** The time of a `clock` of <time.h>; cheap for CLOCK_MONOTONIC. */
@@ -106,17 +107,17 @@ struct timespec redcc_system_clock(int clock);
 /** The NUMA node of the calling thread; -1: unknown. */
 int redcc_system_node(void);
 
-/** Bytes of the machine's memory; 0: unknown. */
+/** The size of the machine's memory in bytes; 0: unknown. */
 uint64_t redcc_system_memory(void);
 
 /** Yields the processor. */
 void redcc_system_yield(void);
 
-/** The process's id. */
+/** The id of the process. */
 long redcc_system_process(void);
 
-/** The start time of the process, in ticks since boot; 0: not known. Together with the id it is
- *  unique. */
+/** The start time of the process, in ticks since boot; 0: not known. Together with the process's id
+ * it identifies the process. */
 unsigned long long redcc_system_started(void);
 
 /** The number of runnable threads of all programs, including the caller; 0: not known. */

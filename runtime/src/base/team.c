@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* pthread_setattr_default_np */
+#define _GNU_SOURCE /* for pthread_setattr_default_np */
 #include "base/team.h"
 
 #include "base/clock.h"
@@ -52,17 +52,18 @@ enum {
 };
 
 struct team {
-    int threads;         /* threads of the thread's last region; 0: there was none */
-    int pinned;          /* the libraries with the code of its threads cannot be unloaded */
-    int rest;            /* calls to skip after a handler was last detected */
-    int rest_left;       /* how many of these remain */
-    size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
+    int threads;   /* number of threads of this thread's last region; 0: there was none */
+    int pinned;    /* the libraries whose code the region's threads execute cannot be unloaded */
+    int rest;      /* number of calls to skip after a handler was last detected */
+    int rest_left; /* how many of these calls remain */
+    size_t
+        stack_before; /* the default size of stacks to restore, in bytes; 0: it was not changed */
 };
 
 static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
 
 void redcc_team_bind(void) {
-    if (!GOMP_parallel || __kmpc_fork_call) /* a call would initialise LLVM's library */
+    if (!GOMP_parallel || __kmpc_fork_call) /* the calls would initialise LLVM's library */
         return;
     if (omp_in_parallel)
         omp_in_parallel();
@@ -70,13 +71,14 @@ void redcc_team_bind(void) {
         omp_get_max_threads();
 }
 
-/* ---- what must stay loaded ------------------------------------------------------------------- */
+/* ---- keeping libraries loaded ---------------------------------------------------------------- */
 
 static void nothing(void *unused) {
     (void)unused;
 }
 
-/* An object is not unloaded while a thread has a destructor in it to run. */
+/* Keeps the object that contains `code` loaded: an object is not unloaded while a thread must still
+ * call a destructor in it. */
 static void pin(void (*code)(void)) {
     if (code)
         __cxa_thread_atexit_impl(nothing, NULL, (void *)code);
@@ -101,7 +103,8 @@ static bool fits(size_t bytes) {
     return place != NULL;
 }
 
-/* The limit of the main thread's stack, at most 1 GiB; 256 MiB if it is unlimited, 0 if unknown. */
+/* The limit of the main thread's stack in bytes, at most 1 GiB. 256 MiB if it is unlimited, 0 if
+ * unknown. */
 static size_t main_stack(void) {
     struct rlimit limit;
     const size_t unlimited = (size_t)256 << 20, most = (size_t)1 << 30;
@@ -116,7 +119,7 @@ static bool is_set_by_user(void) {
     return getenv("OMP_STACKSIZE") || getenv("GOMP_STACKSIZE") || getenv("KMP_STACKSIZE");
 }
 
-/* Sets the default size of new threads' stacks; returns the previous one, 0 if unknown. */
+/* Sets the default size of new threads' stacks. Returns the previous size; 0 if unknown. */
 static size_t set_stacks(size_t bytes) {
     pthread_attr_t usual;
     size_t before = 0;
@@ -131,8 +134,8 @@ static size_t set_stacks(size_t bytes) {
     return before;
 }
 
-/* The size for each of `more` stacks: the main thread's limit, halved until all can be mapped; 0,
- * the default, if that gives at most 2 MiB. */
+/* The size for each of `more` stacks: the main thread's limit, halved until all stacks can be
+ * mapped. If that gives at most 2 MiB, returns 0, which means the default size. */
 static size_t stack_for(int more) {
     size_t wanted = main_stack();
     const size_t usual = (size_t)2 << 20;
@@ -150,7 +153,7 @@ static void enlarge_stacks(int more) {
         kmp_set_stacksize_s(wanted);
     const size_t before = set_stacks(wanted);
     team.stack_before = before && before != wanted ? before : 0;
-    if (before > wanted) /* the program has requested more */
+    if (before > wanted) /* the program has requested a larger size */
         set_stacks(before);
 }
 
@@ -162,7 +165,7 @@ static bool is_low(const char *name) {
     return text[0] >= '0' && text[0] <= '9' && strtol(text, NULL, 10) < FEW;
 }
 
-/* May the system refuse the process a thread, or memory for one? */
+/* May the system refuse a thread to the process, or memory for one? */
 static bool is_limited(void) {
     struct rlimit processes = {RLIM_INFINITY, 0}, bytes = {RLIM_INFINITY, 0};
     redcc_system(SYS_prlimit64, 0, RLIMIT_NPROC, 0, &processes);
@@ -171,7 +174,7 @@ static bool is_limited(void) {
            is_low("/sys/fs/cgroup/pids.max");
 }
 
-/* Shared by threads that only wait for the end of the trial. */
+/* Shared by the threads of a trial, which only wait for its end. */
 struct trial {
     atomic_uint over;
     atomic_int asleep;
@@ -183,16 +186,18 @@ static void *be_there(void *argument) {
     return NULL;
 }
 
-/* The number of threads of the process; 0: unknown. Each is a subdirectory of /proc/self/task. */
+/* The number of threads of the process; 0: unknown. Each thread is a subdirectory of
+ * /proc/self/task. */
 static int count_tasks(void) {
-    enum { LINKS = 2 }; /* links of a directory without subdirectories */
+    enum { LINKS = 2 }; /* number of links of a directory without subdirectories */
     struct statx tasks;
     if (redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0)
         return 0;
     return (int)tasks.stx_nlink - LINKS;
 }
 
-/* Tries to start `more` threads; returns how many OpenMP could start. All have ended on return. */
+/* Tries to start `more` threads. Returns how many threads OpenMP could start. All threads of the
+ * trial have ended on return. */
 static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};
@@ -209,12 +214,13 @@ static int try_threads(int more) {
         pthread_join(thread[i], NULL);
     redcc_memory_free(thread);
     for (int wait = 0; wait < 10000 && count_tasks() > before; wait++)
-        redcc_system_yield(); /* the limit counts them until the system has removed them */
+        redcc_system_yield(); /* until the system has removed the threads, they count towards the
+                                 limit */
     return useful;
 }
 
 static int available_threads(int threads) {
-    static atomic_int most; /* limit found so far; 0: none */
+    static atomic_int most; /* the limit found so far; 0: none was found */
     const int known = atomic_load(&most), there = team.threads > 0 ? team.threads : 1;
     if (known)
         return threads < known ? threads : known;
@@ -226,8 +232,8 @@ static int available_threads(int threads) {
     return can;
 }
 
-/* Is the thread in a handler? After each that is found, checks are skipped with exponential
- * back-off: the answer is then true. */
+/* Is the thread in a signal handler? After each time that it is, checks are skipped with
+ * exponential back-off, and the answer for a skipped check is yes. */
 static bool is_in_handler(uint64_t before) {
     enum { REST_MOST = 1024 };
     if (team.rest_left > 0) {
@@ -240,8 +246,8 @@ static bool is_in_handler(uint64_t before) {
     return is_so;
 }
 
-/* The number of threads that exist for the calling thread's next region: of its crew, of the
- * runtime's pool, or of its last OpenMP region; 0: there was none. */
+/* The number of threads that exist for the calling thread's next region: those of its crew, of the
+ * runtime's pool, or of its last OpenMP region. 0: there was no region. */
 static int there(void) {
     if (redcc_crew_threads() > 0)
         return redcc_crew_threads();
@@ -294,12 +300,13 @@ void redcc_team_begun(int threads) {
     team.stack_before = 0;
 }
 
-/* ---- other threads than those of regions ----------------------------------------------------- */
+/* ---- threads outside of regions -------------------------------------------------------------- */
 
-static atomic_int members; /* existing threads of regions, without the regions' first threads */
+static atomic_int members; /* number of existing threads of regions (members), without the regions'
+                              first threads */
 
-/* The ids of the members that ended last; 0: none. The system may not have removed them yet,
- * because they have destructors to run, or the machine is busy. */
+/* The ids of the members that ended last; 0: unused. The system may not have removed these threads
+ * yet, because they have destructors to run, or the machine is busy. */
 enum { LEAVING = 256 };
 static atomic_int leaving[LEAVING];
 static atomic_uint left;
@@ -332,13 +339,13 @@ static void be_noted(int number, int threads, void *unused) {
     (void)unused;
 }
 
-/* The number of threads that are neither the first one nor members; negative: unknown. */
+/* The number of threads that are neither the initial thread nor members; negative: unknown. */
 static int count_others(void) {
     const int tasks = count_tasks(), known = 1 + atomic_load(&members);
     return tasks == 0 ? -1 : tasks - known;
 }
 
-/* Has the system not removed an ended member yet? */
+/* Is there an ended member that the system has not removed yet? */
 static bool is_one_leaving(void) {
     bool is_one = false;
     const long process = redcc_system_process();
@@ -354,8 +361,8 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* The same as count_others, after waiting up to 1 s for ended members, or `seconds` for other
- * threads. Those that OpenMP made only for the program's regions may be ending, too. */
+/* As count_others, after waiting up to 1 s for ended members, or `seconds` for other threads.
+ * Threads that OpenMP created only for the program's regions may be ending, too. */
 static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
@@ -372,8 +379,8 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region in which OpenMP's threads register as members. Its number of threads is
- * that of the process; if that exceeds 256 or is limited, the usual number. */
+/* Opens a region in which OpenMP's threads register as members. It has as many threads as the
+ * process. If these are more than 256 or threads are limited, it has the usual number. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
@@ -383,16 +390,16 @@ static void note_all(int others) {
 
 static atomic_int known; /* the number of other threads that had not ended after the last wait */
 
-/* The same as count_others, after waiting for the members that are ending. */
+/* As count_others, after waiting for members that are ending. */
 static int count_unknown(void) {
-    (void)redcc_is_forked(); /* in a forked child, first resets the count of members */
+    (void)redcc_is_forked(); /* in a forked child, this first resets the count of members */
     const int others = count_others();
     return others > 0 && others != atomic_load(&known) ? count_others_that_stay(0) : others;
 }
 
-/* Waits for other threads to end. */
+/* Waits for other threads to end. Returns whether none is left. */
 static bool others_leave(void) {
-    /* seconds; halved after each wait that left other threads */
+    /* time in seconds; halved after each wait that did not see all of them end */
     static _Atomic double longest = 0.25;
     const double seconds = atomic_load(&longest);
     const int others = count_others_that_stay(seconds);
@@ -403,8 +410,8 @@ static bool others_leave(void) {
 }
 
 /* Are all other threads of the process members? If some are unknown, waits for them to end, unless
- * the same number remained after the last wait. registers: first opens a region, in which OpenMP's
- * idle threads register as members. */
+ * as many remained after the last wait. If `registers` is set, first opens a region in which
+ * OpenMP's idle threads register as members. */
 static bool are_others_idle(bool registers) {
     const int others = count_unknown();
     if (others == 0 && atomic_load(&known) != 0)
@@ -428,8 +435,8 @@ bool redcc_team_has_met(void) {
         return redcc_team_is_alone();
     if (redcc_within || omp_get_level() > 1)
         return false;
-    /* One thread keeps the order with the directives, too: nothing to wait for. OpenMP's other
-     * threads are idle then, and do not execute this loop. */
+    /* A region of one thread keeps the order with the directives, too, so there is nothing to wait
+     * for. OpenMP's other threads are idle then, and do not execute this loop. */
     if (omp_get_num_threads && omp_get_num_threads() == 1)
         return count_unknown() == 0;
     return are_others_idle(false);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** REDCC_TRACE: prints events of the runtime on standard error as they occur. */
+/** REDCC_TRACE: prints events of the runtime to standard error as they occur. */
 #ifndef REDCC_TRACE_H
 #define REDCC_TRACE_H
 
@@ -7,9 +7,9 @@
 
 /** The subjects of traces, and their names in REDCC_TRACE. */
 #define REDCC_TRACE_LIST(X)                                                                        \
-    X(TRACE_CHOICE, "choice")         /* the mode chosen, and the rule */                          \
+    X(TRACE_CHOICE, "choice")         /* the mode that was chosen, and the rule */                 \
     X(TRACE_PLAN, "plan")             /* plans built and reused */                                 \
-    X(TRACE_EXECUTION, "execution")   /* each execution in parallel */                             \
+    X(TRACE_EXECUTION, "execution")   /* each parallel execution */                                \
     X(TRACE_VALIDATION, "validation") /* each comparison with the sequential loop */
 
 enum trace {
@@ -21,7 +21,7 @@ enum trace {
 
 extern const char *const redcc_trace_names[TRACES];
 
-/** Bit s: subject s is traced. Set when the settings are read. */
+/** Bit s is set if subject s is traced. Set when the settings are read. */
 extern unsigned redcc_traced;
 
 static inline int redcc_traces(enum trace subject) {

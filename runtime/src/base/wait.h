@@ -6,17 +6,17 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/** Returns when *word differs from `value`, with all writes visible that preceded the store.
- * *asleep counts sleeping threads; several words may share it. threads: the region's; if they
- * outnumber the processors, the wait does not spin. */
+/** Returns when *word differs from `value`. All writes before the store to *word are then visible.
+ * *asleep counts sleeping threads; several words may share it. `threads` is the number of threads
+ * of the region. If there are more threads than processors, the wait does not spin. */
 void redcc_wait_while(atomic_uint *word, unsigned value, atomic_int *asleep, int threads);
 
-/** The same for a thread that may be idle for long: it spins for at most 5 to 25 microseconds, so
- * that consecutive regions find it awake. */
+/** As redcc_wait_while, for a thread that may be idle for long: it spins for at most 5 to 25
+ * microseconds, so that regions in quick succession find it awake. */
 void redcc_wait_idle(atomic_uint *word, unsigned value, atomic_int *asleep);
 
-/** Wakes the threads that sleep on *word. The caller has changed it by a sequentially consistent
- * write. */
+/** Wakes the threads that sleep on *word. The caller must have changed *word by a sequentially
+ * consistent write. */
 void redcc_wake(atomic_uint *word, atomic_int *asleep);
 
 #endif

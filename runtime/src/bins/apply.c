@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Applies records, or merges private copies, into the arrays. */
+/** Applies records to the arrays, or merges private copies into them. */
 #include "bins/binning.h"
 
 #include "base/share.h"
@@ -8,7 +8,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* Applies records of doubles to rows of floats: the updates were computed in double. */
+/* Applies records of doubles to rows of floats, for updates that were computed in double. */
 static void apply_wide(const redcc_applied *applied, redcc_operator operation, size_t count) {
     float *const rows = applied->rows[0];
     const double *const records = applied->records;
@@ -21,7 +21,7 @@ static void apply_wide(const redcc_applied *applied, redcc_operator operation, s
 }
 
 /* Can a function of the library apply the stream's records, without the loop's own apply function?
- * *wide: the records are doubles, and the rows floats. */
+ * Sets *wide if the records are doubles and the rows are floats. */
 static bool is_plain(const redcc_array *array, const redcc_stream *stream, bool *wide) {
     const struct element_rule *rule =
         redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type);
@@ -86,10 +86,10 @@ static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
     }
 }
 
-/* Dynamic scheduling: a thread that is done takes the next bin, of any stream. */
+/* Dynamic scheduling: a thread that has finished a bin takes the next bin, of any stream. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands) {
     (void)binner;
-    uint32_t s = 0, before = 0; /* bins of the preceding streams */
+    uint32_t s = 0, before = 0; /* number of bins of the streams before s */
     for (;;) {
         const uint32_t next =
             atomic_fetch_add_explicit(&binning->next_bin, 1, memory_order_relaxed);
@@ -129,21 +129,21 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
         for (uint32_t a = 0; a < stream->array_count; a++) {
             const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
             const size_t bytes = binning->stream[s].window.rows * stream->rows[a];
-            assert(rule && bytes % rule->size == 0); /* ensured by redcc_private_possible */
+            assert(rule && bytes % rule->size == 0); /* redcc_private_possible ensures this */
             rule->fill(binner->buffer[s].push.copy[a], bytes / rule->size);
         }
     }
 }
 
-/* The rows of one thread's copy of an array of the stream, from the first to the last that is no
- * longer neutral. */
+/* The rows from the first to the last that have changed in one thread's copy of an array of the
+ * stream, i.e. are no longer neutral. */
 static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
                                      const char *copy) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
     const struct window window = binning->stream[s].window;
     const uint64_t row = stream->rows[a], size = rule->size;
-    uint64_t neutral = 0; /* as large as the largest integer */
+    uint64_t neutral = 0; /* large enough for the largest integer type */
     rule->fill(&neutral, 1);
     uint64_t first = 0, end = window.rows * row;
     while (first < end && memcmp(copy + first, &neutral, size) == 0)
@@ -166,8 +166,8 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
     return rows;
 }
 
-/* Merges this thread's share of the changed rows, copy after copy; other rows of the window may lie
- * beyond the array's ends. */
+/* Merges this thread's share of the changed rows, one copy after the other. Other rows of the
+ * window may lie beyond the array's ends. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct row_range changed = binning->stream[s].changed;

@@ -5,26 +5,26 @@
  *
  *     measure  without prior information: executes some iterations, to count rows and records
  *     push     each thread executes its share of the round's iterations, piece by piece, then
- *              pieces of others, and appends a record of each update to the bin of its row; the
- *              arrays are not written
+ *              pieces of other shares, and appends a record of each update to the bin of its
+ *              row; the arrays are not written
  *     guard    do the round's reads overlap the ranges it will write? (one thread)
  *     apply    one thread takes each bin and applies its records: the first piece's, the second's,
  *              ..., each in the order they were appended
  *
  * So each element gets its updates in the order of the loop, with any number of threads. If records
- * of a round are missing (rows outside of the bins, no more memory), it is aborted and executed
- * again, with other bins or fewer iterations. If that does not help, or the guard fails, the rest
- * of the loop runs sequentially: the round has written nothing.
+ * of a round are missing (rows outside of the bins, no more memory), the round is aborted and
+ * executed again, with other bins or fewer iterations. If that does not help, or the guard fails,
+ * the rest of the loop runs sequentially. This is possible because the round has written nothing.
  *
  * For small arrays of integers, whose updates may be made in any order, each thread instead has a
- * private copy of the rows, and updates it at once; the copies are merged at the end.
+ * private copy of the rows, and updates it immediately. The copies are merged at the end.
  *
- * A trial begins with a short round. After it the same number of iterations is executed
- * sequentially, and the two times are compared. The trial ends after the first round with too large
- * a loss.
+ * A trial begins with a short round. After this round, the same number of iterations is executed
+ * sequentially, and the two times are compared. The trial ends after the first round by which it
+ * has lost too much time.
  *
- * Parts: window (rows and bins), pieces (distribution of iterations), buffer (records), layout
- * (sizes, memory), guard, apply, rounds.
+ * The files are window (rows and bins), pieces (distribution of iterations), buffer (records),
+ * layout (sizes, memory), guard, apply, rounds.
  */
 #ifndef REDCC_BINNING_H
 #define REDCC_BINNING_H
@@ -41,103 +41,106 @@ enum bins_phase {
     BINS_MEASURE,
     BINS_PUSH,
     BINS_APPLY,
-    BINS_STRETCH, /* in a trial: the first thread executes iterations sequentially */
-    BINS_OVER     /* `begin` iterations are done */
+    BINS_STRETCH, /* in a trial: the first thread executes a stretch of iterations sequentially */
+    BINS_OVER     /* the iterations before round.begin are done */
 };
 
-/** One thread's part. Only this thread writes it, except for `share`; the others read it after the
- * barrier. */
+/** One thread's part in the binning. Only this thread writes to it, except for `share`. Other
+ * threads read it after the barrier. */
 struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
     bool begun;              /* the thread's part of the phase has begun */
     struct bins_share share; /* the thread's share of the round */
-    int pieces;              /* pieces taken in this round */
-    redcc_int next;          /* iterations [next, last) of the piece are not handed out yet */
+    int pieces;              /* number of pieces taken in this round */
+    redcc_int next; /* iterations [next, last) of the current piece are not handed out yet */
     redcc_int last;
-    redcc_int unseen;                /* iterations since the last check for missing records */
-    int sample;                      /* stretches of iterations handed out for measuring */
-    redcc_int measured;              /* iterations in them */
-    redcc_int pushed;                /* iterations pushed in this round */
-    redcc_extent *sources;           /* [source_count] recorded by redcc_read, in this round */
-    struct redcc_bin_buffer *buffer; /* [stream_count] */
+    redcc_int unseen;      /* number of iterations since the last check for missing records */
+    int sample;            /* number of stretches of iterations handed out for measuring */
+    redcc_int measured;    /* number of iterations in these stretches */
+    redcc_int pushed;      /* number of iterations pushed in this round */
+    redcc_extent *sources; /* [source_count] ranges recorded by redcc_read in this round */
+    struct redcc_bin_buffer *buffer; /* [stream_count] the thread's records of each stream */
 };
 
-/** Known properties of a stream; kept between executions. */
+/** What is known of a stream; kept between executions. */
 struct binned_stream {
-    struct row_range rows; /* the recorded rows */
-    double rate; /* records per iteration, of the thread with most, plus a margin; 0: unknown */
+    struct row_range rows; /* the range of the recorded rows */
+    double rate; /* records per iteration, of the thread that has most, plus a margin; 0: unknown */
     struct window window;
-    struct row_range changed; /* of private copies: the rows that they change */
-    double cut_for;           /* records for which the window was cut; 0: to be cut */
+    struct row_range changed; /* the rows that private copies change */
+    double cut_for; /* number of records for which the window was cut; 0: it must be cut */
 };
 
 /** The iterations of a round. */
 struct round {
     redcc_int begin;
     redcc_int end;
-    redcc_int most;                  /* maximum iterations of later rounds */
-    bool shortened;                  /* memory was insufficient */
-    int failures;                    /* consecutive */
-    unsigned long long error_before; /* *error at the round's beginning, restored if it is
-                                      * aborted */
+    redcc_int most;                  /* maximum number of iterations of later rounds */
+    bool shortened;                  /* rounds were shortened because memory was insufficient */
+    int failures;                    /* number of consecutive failures */
+    unsigned long long error_before; /* the value of *error when the round began, restored if the
+                                        round is aborted */
 };
 
-/** A function that is called with the bytes of an array that are about to be written; NULL: none.
- */
+/** A function `tell` that is called, with `whom`, for the bytes of an array that are about to be
+ * written. NULL: there is none. */
 struct written_witness {
     void (*tell)(void *whom, uint32_t array, struct range written);
     void *whom;
 };
 
-/** Effects of iterations other than on the arrays: undone with an aborted round. */
+/** Effects of iterations other than on the arrays. They are undone if a round is aborted. */
 struct effects {
     atomic_int *last_claimed;
     atomic_ullong *error;
 };
 
 struct bins_trial {
-    double may_lose; /* seconds; from -1 to below 0: a share of the sequential loop's time,
-                      * which is not known yet; 0: no trial */
-    double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
+    double may_lose; /* in seconds; a value of -1 or above, but below 0, is a share of the
+                        sequential loop's time, which is not known yet; 0: no trial */
+    double usual;    /* seconds per iteration of the sequential loop, as known before the trial; 0:
+                        unknown */
     double began;    /* when the trial began, on the clock of redcc_seconds */
-    double pushes;   /* the time at which pushing the only round (REDCC_WHOLE) began */
-    bool is_late;    /* pushing it takes too long */
-    redcc_int stretch; /* iterations that the trial executes sequentially */
-    double sequential; /* seconds that these take */
+    double pushes;   /* if there is only one round (REDCC_WHOLE): when pushing began */
+    bool is_late;    /* pushing that round takes too long */
+    redcc_int stretch; /* number of iterations that the trial executes sequentially */
+    double sequential; /* seconds that these iterations take; while they run, the time at which they
+                          began */
 };
 
 struct binning {
     const struct call *call;
-    const redcc_binned *loop; /* NULL: it has no form for bins */
+    const redcc_binned *loop; /* NULL: the loop has no form for bins */
     struct barrier *barrier;
-    struct binner **binner; /* [binners] of each thread */
+    struct binner **binner; /* [binners] the parts of the threads */
     int binners;
-    struct binned_stream *stream; /* [stream_count] */
+    struct binned_stream *stream; /* [stream_count] what is known of each stream */
     enum bins_phase phase;
     struct bins_trial trial;
     struct round round;
-    bool copies;        /* private copies, in this execution */
+    bool copies;        /* this execution uses private copies */
     int cut_threads;    /* number of threads for which the windows were cut */
-    bool denies_copies; /* the guard found them to be too coarse */
+    bool denies_copies; /* the guard found private copies to be too coarse */
     atomic_uint next_bin;
-    atomic_int failed; /* the round is aborted: records are missing, or it is late */
+    atomic_int failed; /* the round is aborted, because records are missing or it is late */
     struct effects effects;
-    enum reason reason;     /* why the rest is sequential; NONE: all is done */
-    struct overlap overlap; /* of REASON_OVERLAP */
+    enum reason
+        reason; /* why the rest of the loop is sequential; REASON_NONE: the whole loop is done */
+    struct overlap overlap; /* with REASON_OVERLAP: the ranges that overlap */
     long rounds;
     size_t bytes;
     struct written_witness witness;
 };
 
-/** The loop's descriptor for bins; NULL: it has none. */
+/** The loop's descriptor for bins; NULL: the loop has no form for bins. */
 static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
     return loop->flags & REDCC_BINNED ? (const redcc_binned *)(const void *)loop : NULL;
 }
 
-/** Must the guard see all updates of the loop before the first one is made? If so, the loop is one
- * round, and no part of it is executed sequentially. */
+/** Must the guard check all updates of the loop before the first update is made (REDCC_WHOLE)? If
+ * so, the whole loop is one round, and no stretch of it is executed sequentially. */
 static inline bool redcc_bins_is_whole(const struct binning *binning) {
     const unsigned flags = binning->loop->loop.flags;
     return flags & REDCC_WHOLE && !(flags & REDCC_BINS_CHECKED);
@@ -153,25 +156,25 @@ static inline uintptr_t redcc_row_address(const struct binning *binning, const r
 /* ---- layout.c -------------------------------------------------------------------------------- */
 
 /** Cuts windows and allocates memory for rounds of the remaining iterations, according to the known
- *  properties of the streams; called by the thread that entered the loop. NONE, or the reason of
- *  failure. */
+ * properties of the streams. Called by the thread that entered the loop. Returns REASON_NONE or the
+ * reason of failure. */
 enum reason redcc_bins_lay_out(struct binning *binning);
 
 /* ---- guard.c --------------------------------------------------------------------------------- */
 
-/** Bins first to end - 1 contain everything that the round will write of stream `s`; end == 0:
- *  nothing. */
+/** The bins [first, end) contain everything of stream `s` that the round will write; end == 0: it
+ * will write nothing. */
 struct used_bins {
     uint32_t first;
     uint32_t end;
 };
 struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s);
 
-/** May the records of the round be applied, or the copies be merged? NONE, or the reason against
- *  it. */
+/** May the records of the round be applied, or the copies be merged? Returns REASON_NONE or the
+ * reason against it. */
 enum reason redcc_bins_guard(struct binning *binning);
 
-/** Reports to the witness the ranges that the round will write, after the guard has passed. */
+/** Calls the witness for each range that the round will write, after the guard has passed. */
 void redcc_bins_tell_written(const struct binning *binning);
 
 /* ---- apply.c --------------------------------------------------------------------------------- */
@@ -179,16 +182,17 @@ void redcc_bins_tell_written(const struct binning *binning);
 /** Can the records of all streams be applied, by functions of the loop or of the library? */
 bool redcc_bins_can_apply(const redcc_binned *loop);
 
-/** The thread's part of applying all records. operands: the program's. */
+/** The thread's part in applying all records. `operands` are the program's, as given to
+ * redcc_bins_next. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands);
 
 /** Sets the thread's private copies to neutral elements. */
 void redcc_private_fill(const struct binning *binning, const struct binner *binner);
 
-/** The thread's part of merging all threads' copies. */
+/** The thread's part in merging the copies of all threads. */
 void redcc_private_merge(const struct binning *binning, const struct binner *binner);
 
-/** The rows that some thread's private copy will change. */
+/** The rows of stream `s` that the private copy of some thread will change. */
 struct row_range redcc_private_rows(const struct binning *binning, uint32_t s);
 
 /** Can the stream's updates be made on private copies, at the addresses of this call? */
@@ -196,28 +200,29 @@ bool redcc_private_possible(const struct binning *binning, const redcc_stream *s
 
 /* ---- rounds.c -------------------------------------------------------------------------------- */
 
-/** The state of a loop that was never executed. False: no memory. */
+/** Initialises the bins of a loop that was never executed. False: out of memory. */
 bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 
-/** A thread joins an execution of `threads` threads. */
+/** Prepares a thread for an execution by `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution of binning->call; called by one thread. may_lose, usual: as in bins_trial.
- * In a trial the rest runs sequentially once the execution has exceeded the sequential loop's time
- * by may_lose. */
+/** Begins an execution of binning->call. Called by one thread. may_lose and usual are described in
+ * struct bins_trial. In a trial, the rest of the loop runs sequentially once the execution has
+ * exceeded the sequential loop's time by may_lose. */
 void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
                       struct written_witness witness);
 
-/** Seconds per iteration of the sequential stretch of a trial; 0: there was none. */
+/** Seconds per iteration of the stretch that a trial has executed sequentially; 0: there was none.
+ */
 double redcc_bins_usual(const struct binning *binning);
 
-/** The next iterations of the thread, into *worker and bins [stream_count]. False: the loop is
- *  over; or, if binner->phase is BINS_STRETCH, the round's iterations must be executed sequentially
- *  first. */
+/** Gets the next iterations of the thread, in *worker and bins [stream_count]. False: the loop is
+ * over or, if binner->phase is BINS_STRETCH, the round's iterations must first be executed
+ * sequentially. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands);
 
-/** Allocates a thread's part of a loop; NULL: out of memory. The second function frees it. */
+/** Allocates a thread's part (NULL: out of memory), and frees it. */
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread);
 void redcc_binner_free(struct binner *binner, const redcc_binned *loop);
 

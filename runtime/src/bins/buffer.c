@@ -15,7 +15,7 @@ static size_t whole_lines(size_t bytes) {
 
 /* ---- layout of the memory -------------------------------------------------------------------- */
 
-/* Offsets of the parts, and the bytes of all. */
+/* The offsets of the parts, and the total number of bytes. */
 struct parts {
     size_t records;
     size_t places;
@@ -50,11 +50,12 @@ static void *part(const struct redcc_bin_buffer *buffer, size_t offset) {
     return buffer->memory + offset;
 }
 
-/* Ensures memory of `bytes` bytes; keeps the old one if it is large enough. */
+/* Ensures that there is memory for `bytes` bytes. Keeps the present memory if it is large enough.
+ */
 static bool provide(struct redcc_bin_buffer *buffer, size_t bytes) {
     if (buffer->memory && redcc_memory_size(buffer->memory) >= bytes + LINE)
         return true;
-    redcc_buffer_end(buffer); /* frees first, because the limit may not permit both */
+    redcc_buffer_end(buffer); /* frees it first, because the memory limit may not permit both */
     buffer->memory = redcc_memory_alloc(bytes);
     return buffer->memory != NULL;
 }
@@ -116,7 +117,8 @@ static void forget_outside(struct redcc_bin_buffer *buffer) {
     buffer->outside = redcc_no_rows;
     buffer->outside_count = 0;
     buffer->reached = redcc_no_rows;
-    buffer->readable_page = REDCC_NO_PAGE; /* the program may have unmapped it */
+    buffer->readable_page =
+        REDCC_NO_PAGE; /* the program may have unmapped it since the last round */
 }
 
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {
@@ -166,7 +168,7 @@ int redcc_is_readable(redcc_size *page, const void *address) {
     return 1;
 }
 
-/* Without a free block, overwrites the bin's last one: the round is lost. */
+/* If there is no free block, the bin's last block is overwritten, and the round fails. */
 redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record) {
     (void)bin;
     const uint32_t block = (record - 1) / BLOCK;
@@ -221,7 +223,10 @@ void redcc_buffer_finish(struct redcc_bin_buffer *buffer) {
                    REDCC_LINE_PLACES, sizeof(redcc_u16));
     }
 #if defined(__x86_64__) && defined(__SSE2__)
-    __asm__ volatile("sfence" : : : "memory"); /* lines were written past the caches */
+    __asm__ volatile("sfence"
+                     :
+                     :
+                     : "memory"); /* the lines were written past the caches (non-temporal stores) */
 #endif
 }
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The late guard. All records of a round exist and nothing is written: its reads and future writes
- * are known exactly. Writes of earlier rounds precede these reads in the sequential loop as well.
+ * The guard of a round. It is late: all records of the round exist, but nothing is written yet, so
+ * that the reads and the future writes of the round are known exactly. Writes of earlier rounds
+ * precede these reads in the sequential loop as well.
  */
 #include "bins/binning.h"
 
@@ -55,7 +56,7 @@ static struct row_range reached_rows(const struct binning *binning, uint32_t s) 
     return rows;
 }
 
-/* The rows that the round will write: exact, or of whole bins. */
+/* The rows that the round will write: their exact range, or the range of the bins in use. */
 static struct row_range written_rows(const struct binning *binning, uint32_t s, bool exact) {
     const struct window window = binning->stream[s].window;
     if (binning->copies)
@@ -91,7 +92,8 @@ static struct range written_of(const struct binning *binning, uint32_t array, bo
     return range;
 }
 
-/* The known reads of the loop, and those recorded in the round: [source_count]. */
+/* Sets read [source_count] to the known reads of the loop and the reads that were recorded in the
+ * round. */
 static void find_read(const struct binning *binning, struct range *read) {
     for (uint32_t source = 0; source < binning->loop->loop.source_count; source++) {
         read[source] = redcc_range_of(binning->call->request.known[source]);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The size of rounds: as large as memory permits, since a round loads each line of the updated
- * arrays from memory and stores it once. The records of all threads may take 0.6 of the bytes of
- * the arrays plus 64 MiB, or plus 512 MiB if the loop must be one round.
+ * The size of rounds. They are as large as memory permits, because a round loads each line of the
+ * updated arrays from memory and stores it once. The records of all threads may take 0.6 times the
+ * bytes of the arrays plus 64 MiB. If the loop must be one round, they may take 512 MiB instead of
+ * 64.
  */
 #include "bins/binning.h"
 
@@ -10,8 +11,8 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* Rows to add at each end of the window: the recorded rows may lack the outermost ones and, after
- * failures, more of them. */
+/* The number of rows to add at each end of the window. The outermost rows may be missing in the
+ * recorded range and, after failures, more of them. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;
@@ -24,8 +25,8 @@ static redcc_int left_of(const struct binning *binning) {
     return binning->call->request.trip - binning->round.begin;
 }
 
-/* The rows, and as many before them as let the window begin with a cache line: two threads may
- * apply records of adjacent bins at once. */
+/* The recorded rows, and some more before them, so that the window begins with a cache line.
+ * Otherwise threads that apply records of adjacent bins at the same time would share a line. */
 static struct row_range from_a_line(const struct binning *binning, uint32_t s, uint64_t margin) {
     const redcc_stream *stream = &binning->loop->streams[s];
     struct row_range rows = binning->stream[s].rows;
@@ -40,8 +41,8 @@ static struct row_range from_a_line(const struct binning *binning, uint32_t s, u
     return rows;
 }
 
-/* A window that held all rows is kept, and so is its memory, while the number of records is
- * similar. */
+/* Cuts a window for each stream. A window that contained all rows is kept, and so is its memory,
+ * while the number of records is similar. False: the rows are spread too widely. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
@@ -61,7 +62,7 @@ static bool cut_windows(struct binning *binning) {
     return true;
 }
 
-/* Bytes of the arrays' recorded rows. */
+/* The size in bytes of the recorded rows of all arrays. */
 static size_t bytes_of_arrays(const struct binning *binning) {
     size_t bytes = 0;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
@@ -73,7 +74,7 @@ static size_t bytes_of_arrays(const struct binning *binning) {
     return bytes;
 }
 
-/* Are private copies better than bins? Their merge must not take more work than the updates. */
+/* Are private copies better than bins? Merging them must not take more work than the updates. */
 static bool wants_copies(const struct binning *binning) {
     const int kind = binning->call->parameter;
     double rows = 0, records = 0;
@@ -124,11 +125,11 @@ static bool take_copies(struct binning *binning) {
 
 /* ---- records --------------------------------------------------------------------------------- */
 
-/* The number of blocks for a share of `iterations` and for stolen pieces. The last block of each
- * bin is half full on average. */
+/* The number of blocks for a share of `iterations` iterations and for stolen pieces. On average the
+ * last block of each bin is half full. */
 static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
     const double block = REDCC_BLOCK_RECORDS, and_others = 1.25;
-    const double most = (double)UINT32_MAX / block - 1; /* records have numbers of 32 bits */
+    const double most = (double)UINT32_MAX / block - 1; /* record numbers have 32 bits */
     const double blocks = and_others * it->rate * iterations / block + 1.5 * it->window.bins + 2;
     return (uint32_t)(blocks < most ? blocks : most);
 }
@@ -141,8 +142,8 @@ static double bytes_for(const struct binning *binning, double iterations) {
     return bytes * binning->call->threads;
 }
 
-/* The number of iterations per thread, at most `most`, with which the buffers of all threads
- * together fit in `budget` bytes; below 1: not even one. */
+/* The number of iterations per thread, at most `most`, for which the buffers of all threads
+ * together fit in `budget` bytes. Below 1: not even one iteration fits. */
 static double share_for(const struct binning *binning, double budget, double most) {
     double low = 0, high = most;
     if (bytes_for(binning, high) <= budget)
@@ -187,7 +188,7 @@ static bool take_records(struct binning *binning) {
     return true;
 }
 
-/* ---- all of it ------------------------------------------------------------------------------- */
+/* ---- the layout ----------------------------------------------------------------------------- */
 
 static size_t bytes_held(const struct binning *binning) {
     size_t bytes = 0;
@@ -197,7 +198,8 @@ static size_t bytes_held(const struct binning *binning) {
     return bytes;
 }
 
-/* With one thread, binning pays only if the arrays exceed the caches. */
+/* Is binning worth it with this number of threads? With one thread it pays only if the arrays
+ * exceed the caches. */
 static bool is_for_several(const struct binning *binning) {
     return binning->call->threads > 1 || binning->call->parameter != BINS_EITHER ||
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;

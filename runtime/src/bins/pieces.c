@@ -34,7 +34,7 @@ static int pieces_left(const struct bins_share *share) {
     return piece_count(share) - atomic_load_explicit(&share->taken, memory_order_relaxed);
 }
 
-/* The share with most pieces left; NULL: none has any. */
+/* The share that has most pieces left; NULL: no share has any. */
 static struct bins_share *fullest_share(const struct binning *binning) {
     struct bins_share *fullest = NULL;
     for (int t = 0; t < binning->call->threads; t++) {
@@ -45,8 +45,9 @@ static struct bins_share *fullest_share(const struct binning *binning) {
     return fullest;
 }
 
-/* A share's own thread has memory for all of it. Another thread takes only pieces that very
- * probably fit, according to known rates: a round that runs out of memory is lost. */
+/* Is there room for the records of a piece of `share`? A thread has memory for all of its own
+ * share. Of another share it takes only pieces that very probably fit, according to known rates,
+ * because a round that runs out of memory fails. */
 static bool has_room(const struct binning *binning, const struct binner *binner,
                      const struct bins_share *share) {
     const redcc_int iterations = (share->end - share->begin) / piece_count(share) + 1;
@@ -89,7 +90,7 @@ bool redcc_pieces_take(struct binning *binning, struct binner *binner) {
     return false;
 }
 
-/* ---- in order -------------------------------------------------------------------------------- */
+/* ---- in the order of the loop ---------------------------------------------------------------- */
 
 bool redcc_pieces_next_run(const struct binning *binning, struct piece_run *run) {
     assert(run->share >= 0 && run->piece >= 0);

@@ -10,19 +10,20 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* iterations between two checks whether the round has failed. With a smaller
-                       number, fewer of the missing rows and records would be counted by then */
+    CHUNK = 16384,  /* number of iterations between two checks whether the round has failed. With
+                       fewer, the check that finds the failure would have counted less of the
+                       memory that is missing */
     STRETCHES = 64, /* maximum number of measured stretches per thread */
-    STRETCH = 64,   /* maximum iterations of a stretch */
+    STRETCH = 64,   /* maximum number of iterations of a measured stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is this part of the loop, as is the sequential stretch
-                  compared with it. A shorter one finds the caches full of records, and takes too
-                  long */
+    TRIED = 16 /* the first round of a trial has 1 / TRIED of the loop's iterations, and so has the
+                  sequential stretch compared with it; a shorter stretch would find the caches full
+                  of records, and take too long */
 };
 
-/* Factors by which rates exceed the measured ones, after a measurement and after a round. A rate
- * is kept, and so is its memory, while the measured rate is at most as high, and at least
+/* Factors by which assumed rates exceed measured ones: after BINS_MEASURE, and after a round. An
+ * assumed rate and its memory are kept while the measured rate is at most as high, and at least
  * kept_down_to times as high. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
@@ -30,7 +31,8 @@ static uint32_t stream_count(const struct binning *binning) {
     return binning->loop->stream_count;
 }
 
-/* Operands of spans are read again when records are applied: from the caches, in short rounds. */
+/* The maximum number of iterations of a round. With spans it is limited: their operands are read
+ * again when records are applied, and in short rounds these are still in the caches. */
 static redcc_int most_of_round(const struct binning *binning) {
     redcc_int most = redcc_bins_tuning.round;
     if (redcc_bins_is_whole(binning))
@@ -72,8 +74,8 @@ static void begin_measure(const struct binning *binning, struct binner *binner) 
 }
 
 /* Hands out stretches that are spread evenly over the thread's share and include its first and last
- * iterations. A small share is measured by one iteration in MEASURED, because these may be
- * expensive. */
+ * iterations. Of a small share, only one iteration in MEASURED is measured, because its iterations
+ * may be expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
     if (!binner->begun)
@@ -112,8 +114,9 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* Will pushing the only round alone take longer than the trial may take? Unknown until an eighth of
- * the thread's share is pushed: the first records are slow, since their memory is new. */
+/* With REDCC_WHOLE: will pushing the only round take longer than the whole trial may take? The
+ * answer is no until an eighth of the thread's share is pushed, because the first records are slow:
+ * their memory is new. */
 static bool is_late(const struct binning *binning, const struct binner *binner) {
     const struct bins_trial *it = &binning->trial;
     const double trip = (double)binning->call->request.trip, share = trip / binner->threads;
@@ -126,7 +129,7 @@ static bool is_late(const struct binning *binning, const struct binner *binner) 
     return before + pushing > it->usual * trip + it->may_lose;
 }
 
-/* The next chunk of the thread's current piece, or of a new one. */
+/* Hands out the next chunk of the thread's current piece, or of a new piece. */
 static bool next_chunk(struct binning *binning, struct binner *binner, redcc_worker *worker,
                        redcc_bins *bins) {
     if (!binner->begun) {
@@ -151,9 +154,9 @@ static bool next_chunk(struct binning *binning, struct binner *binner, redcc_wor
     return true;
 }
 
-/* ---- between the phases: the thread that entered the loop, while the others wait ------------- */
+/* ---- between the phases: the first thread decides, while the others wait --------------------- */
 
-/* Undoes the body's effects outside of the arrays. */
+/* Undoes the body's effects other than on the arrays. */
 static void throw_away(struct binning *binning) {
     atomic_store_explicit(binning->effects.error, binning->round.error_before,
                           memory_order_relaxed);
@@ -171,14 +174,14 @@ double redcc_bins_usual(const struct binning *binning) {
     return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
 }
 
-/* Seconds that the trial may lose in all. */
+/* The seconds that the trial may lose in total. */
 static double may_lose(const struct binning *binning) {
     const double most = binning->trial.may_lose;
     const double whole = redcc_bins_usual(binning) * (double)binning->call->request.trip;
     return most < 0 && most >= -1 ? -most * whole : most;
 }
 
-/* Seconds that it has lost so far. */
+/* The seconds that the trial has lost so far. */
 static double lost_so_far(const struct binning *binning) {
     const struct bins_trial *it = &binning->trial;
     const redcc_int binned = binning->round.begin - it->stretch;
@@ -186,8 +189,9 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: the number done so far, or fewer, so that
- * at the same loss per iteration the trial stays within its limit. At least trip / TRIED. */
+/* The number of iterations of a trial's next round. It is the number of iterations done so far, or
+ * fewer, so that at the same loss per iteration the trial stays within its limit. At least trip /
+ * TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;
@@ -198,8 +202,9 @@ static redcc_int tried_next(const struct binning *binning) {
     return each * (double)begin <= left ? begin : redcc_max((redcc_int)(left / each), least);
 }
 
-/* Divides the remaining iterations into rounds of about equal size; in a trial takes a part of
- * them. Memory is allocated for a full round; a shorter one writes only a part of it. */
+/* Divides the remaining iterations into rounds of about equal size, and begins the next one; in a
+ * trial, it has only a part of these iterations. Memory is allocated for a full round; a shorter
+ * round writes only a part of it. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int trip = binning->call->request.trip, left = trip - round->begin;
@@ -224,7 +229,7 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    /* the check of REDCC_BINS_CHECKED, before the bins, counts as part of the trial */
+    /* the check of REDCC_BINS_CHECKED, before any pushing, counts as part of the trial */
     const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED;
     binning->trial.began = checked ? binning->call->entered : redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
@@ -253,7 +258,8 @@ static enum bins_phase after_measure(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Records are missing: the round is executed again, for more rows or with fewer iterations. */
+/* Called if records are missing: the round is executed again, for more rows or with fewer
+ * iterations. */
 static enum bins_phase push_again(struct binning *binning) {
     struct round *round = &binning->round;
     bool exhausted = false;
@@ -278,7 +284,7 @@ static enum bins_phase push_again(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Updates the known properties of the streams after a round. */
+/* Updates what is known of the streams after a round. */
 static void learn(struct binning *binning) {
     for (uint32_t s = 0; s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
@@ -302,7 +308,8 @@ static enum bins_phase after_push(struct binning *binning) {
         if (has_failed(binning, binning->binner[t]))
             return push_again(binning);
     const enum reason reason = redcc_bins_guard(binning);
-    if (reason != REASON_NONE && binning->copies) { /* with records the guard is more precise */
+    if (reason != REASON_NONE &&
+        binning->copies) { /* with records instead of copies, the guard is more precise */
         binning->denies_copies = true;
         throw_away(binning);
         return lay_out(binning);
@@ -319,8 +326,8 @@ static enum bins_phase after_push(struct binning *binning) {
     return BINS_APPLY;
 }
 
-/* If the bins from the first used one to the last are at most three quarters of all, later
- * executions use fewer. */
+/* If the bins from the first used one to the last used one are at most three quarters of all bins,
+ * later executions use fewer bins. */
 static void trim(struct binning *binning) {
     for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
@@ -334,7 +341,7 @@ static void trim(struct binning *binning) {
     }
 }
 
-/* Makes rounds longer again: the iterations with many records may be over. */
+/* Makes rounds longer again, because the iterations with many records may be over. */
 static enum bins_phase lengthen(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int most = most_of_round(binning);
@@ -343,8 +350,8 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Begins a sequential stretch with as many iterations as the first round. Its time shows the gain
- * of that round, whatever changes between executions of the loop. */
+/* Begins a sequential stretch with as many iterations as the first round. Comparing the two times
+ * shows what that round has gained, even if the loop's speed changes between executions. */
 static enum bins_phase begin_stretch(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int left = binning->call->request.trip - round->begin;
@@ -389,7 +396,7 @@ static enum bins_phase (*const then[])(struct binning *) = {[BINS_START] = after
                                                             [BINS_STRETCH] = after_stretch};
 _Static_assert(sizeof then / sizeof *then == BINS_OVER, "what follows each phase");
 
-/* A barrier; the thread that entered the loop allocates memory and decides. */
+/* Waits at a barrier. The first thread then allocates memory and decides how to continue. */
 static void meet(struct binning *binning, struct binner *binner) {
     redcc_barrier_wait(binning->barrier, binner->threads);
     if (binner->thread == 0)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A bin's rows fit half of a core's second-level cache while its records are applied. With up to
- * 288 bins a thread can append to all of them directly; each has a cache line being written, and a
- * page. An iteration that appends to many at once would wait for these lines to be read before they
- * are written; write combining avoids that.
+ * The rows of a bin fit into half of a core's second-level cache while its records are applied.
+ * With up to 288 bins a thread can append directly; each bin needs the cache line that is being
+ * written, and its page. An iteration that appends to many at once would wait for these lines to be
+ * read before they are written; write combining avoids that.
  */
 #include "bins/window.h"
 
@@ -43,14 +43,16 @@ static uint64_t bins_of(uint64_t rows, uint32_t bits) {
     return ((rows - 1) >> bits) + 1;
 }
 
-/* May a stream's bins be halved? Each thread has partial blocks for all of them. */
+/* Is there memory to halve a stream's bins? Each thread has partially filled blocks for all of
+ * them. */
 static bool affords(const redcc_stream *stream, uint64_t bins, int threads) {
     const double block = (double)REDCC_BLOCK_RECORDS * (stream->record + sizeof(redcc_u16));
     return 4.0 * (double)bins * block * threads < (double)(redcc_bins_tuning.least_budget / 4);
 }
 
-/* The least size of a bin of spans is a page. Where a span ends, the processor prefetches the next
- * lines, which the thread that applies the next bin writes; it never prefetches beyond a page. */
+/* The least number of bits for the rows of a bin. A bin of spans has at least the size of a page:
+ * beyond the end of a span, the processor prefetches lines that the thread of the next bin writes,
+ * but it never prefetches beyond a page. */
 static uint32_t least_bits(const redcc_stream *stream) {
     uint32_t bits = LEAST_BITS;
     while (stream->exact == REDCC_STREAM_SPANS &&
@@ -62,7 +64,8 @@ static uint32_t least_bits(const redcc_stream *stream) {
 static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, double records) {
     const size_t row = redcc_stream_row(stream);
     const uint64_t enough = (uint64_t)threads * BINS_A_THREAD;
-    const double each = (double)(threads * RECORDS_A_BIN); /* records of a bin, from all threads */
+    const double each =
+        (double)(threads * RECORDS_A_BIN); /* least number of records of a bin, from all threads */
     uint32_t bits = REDCC_PLACE_BITS - stream->tag_bits;
     if (bits > redcc_bins_tuning.bin_bits)
         bits = redcc_bins_tuning.bin_bits;

@@ -14,12 +14,12 @@
 #include <math.h>
 #include <string.h>
 
-/* For a loop that has no timed sequential execution: with this many iterations two threads are
- * worth waking, however short an iteration is. */
+/* For a loop whose sequential execution is never timed: with this many iterations it is worth
+ * waking two threads, however short an iteration is. */
 enum {
     SMALL_TRIP = 4096,
-    /* The least units of the leading array per thread. If these are rows of a mesh, stealable
-     * blocks then cost 1 %. */
+    /* The least number of units of the leading array per thread for stealable blocks. If the units
+     * are rows of a mesh, these blocks then cost 1 %. */
     LEAST_UNITS_TO_STEAL = 32768
 };
 
@@ -69,7 +69,7 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
     return true;
 }
 
-/* Bytes of subscripts whose addresses the call gives. */
+/* The number of bytes of the subscripts whose addresses the call gives. */
 static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) {
     double bytes = 0;
     for (uint32_t s = 0; s < loop->source_count; s++)
@@ -85,8 +85,8 @@ static bool are_the_same(const struct chooser *chooser, const redcc_loop *loop,
            redcc_fingerprint_equal(all, chooser->all);
 }
 
-/* Stores this call's sample. Was it that of one of the last calls? A loop that is called for one
- * array after the other keeps a plan for each. */
+/* Stores this call's sample. Returns whether it was the sample of one of the last calls. A loop
+ * that is called for one array after the other keeps a plan for each. */
 static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
     int at = 0;
     while (at < REDCC_PLANS - 1 && chooser->sampled[at] != sampled)
@@ -118,7 +118,7 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
-/* The situation of a call without kept plans, with the minimum cost of starting threads. */
+/* The situation of a call without kept plans. `start` is the minimum cost of starting threads. */
 static struct situation situation_of(const struct chooser *chooser, const redcc_loop *loop,
                                      redcc_int trip, int threads) {
     struct situation now = {.trip = trip,
@@ -228,14 +228,14 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
-/* The measured time of an iteration's slice. 0: not timed, or at most twice the time estimated from
- * its touches. */
+/* The measured seconds of an iteration's slice. 0: the slice was not timed, or took at most twice
+ * the time that is estimated from its touches. */
 static double time_of_slice(const struct inspection *inspection) {
     const double measured = redcc_slice_seconds(inspection);
     return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
 }
 
-/* The findings that are known after the sample as well as after all iterations. */
+/* The findings that are known both after the sample and after all iterations. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -259,14 +259,14 @@ static struct findings begin_findings(const struct chooser *chooser,
         .checked = bytes_to_check(loop, call->request.known)};
 }
 
-/* Are stealable blocks (partition.h) worth their cost, which *found states as share, overhead and
- * changes? */
+/* Are stealable blocks (partition.h) worth their cost? *found describes it by share, overhead and
+ * changes. */
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
     if (found->overhead > LEARN_SHARE / 2 || found->share * call->planned > LEARN_CONTENDED)
-        return false; /* stealable blocks save only 2 to 20 % of the iterations */
-    /* If the iterations of a block are scattered, the subscripts of its neighbours are read with
-     * its own. */
+        return false; /* stealable blocks would save only 2 to 20 % of the iterations */
+    /* If the iterations of a block are scattered, subscripts of other blocks are read together with
+     * those of this block. */
     return found->changes < LEARN_FREQUENT ||
            usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
 }
@@ -284,7 +284,7 @@ static double bytes_touched(const struct inspection *inspection) {
     return bytes;
 }
 
-/* Are arrays larger than the caches updated irregularly? */
+/* Does the loop update arrays irregularly that are larger than the caches? */
 static bool is_random(const struct inspection *inspection, double changes) {
     return changes >= LEARN_FREQUENT && bytes_touched(inspection) >= 3 * LEARN_CACHE;
 }
@@ -297,9 +297,10 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* The share of a thread that selects its own iterations: it evaluates all slices, after all threads
- * together (or one, in a dry run) have evaluated them once. With REDCC_PARTS, replicated iterations
- * count as a quarter, since they skip most of their work. */
+/* The time of a thread that selects its own iterations, as a share of the sequential time. It
+ * evaluates the slices of all iterations, after all threads together (or one thread, in a dry run)
+ * have evaluated them once. With REDCC_PARTS, replicated iterations count as a quarter, because
+ * they skip most of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
@@ -317,13 +318,14 @@ static double share_directly(const struct inspection *inspection, const struct f
                : 0;
 }
 
-/* Bins are expected to pay for irregular updates, and for small arrays of integers, which use
- * private copies. */
+/* Adds the findings for bins. Bins are expected to pay for irregular updates, and for small arrays
+ * of integers, which use private copies. */
 static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
                       struct findings *findings) {
     const redcc_loop *loop = inspection->call->request.loop;
     const double bytes = bytes_touched(inspection);
-    const double least_row = 4; /* bytes: more updates than rows */
+    const double least_row =
+        4; /* least size of a row in bytes, so that there are more updates than rows */
     const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
                            bytes <= LEARN_CACHE &&
                            findings->touches * (double)findings->trip * least_row > bytes;
@@ -364,7 +366,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);
-    if (entry->alone) { /* a profitable plan is constructed in a later call */
+    if (entry->alone) { /* a plan that pays is constructed in a later call */
         redcc_note_arms(&chooser->state, findings.trip, arm, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
@@ -414,7 +416,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     set_deadline(inspection, decision.deadline);
     if (entry->way != WAY_COPIES)
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
-    redcc_partition_in_one(partition); /* only the touched range matters, not the owners */
+    redcc_partition_in_one(partition); /* only the touched range matters: no owners */
     return ROUTE_COPIES;
 }
 
@@ -430,14 +432,15 @@ bool redcc_may_be_tiled(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     const struct partition *partition = &inspection->partition;
     for (uint32_t array = 0; array < partition->array_count; array++)
-        if (partition->group_of[array] != array) /* arrays overlap: elements have two numbers */
+        if (partition->group_of[array] != array) /* arrays overlap: two share an element */
             return false;
     return call->request.loop->flags & REDCC_TILES && redcc_can_be_tiled(call->request.trip);
 }
 
 /* ---- after the sweep ------------------------------------------------------------------------- */
 
-/* Now that all iterations are recorded: are owners by index still expected to be faster? */
+/* Called when all iterations are recorded: are owners by address still expected to be faster than
+ * the original loop? */
 static bool index_pays(const struct chooser *chooser, const struct inspection *inspection,
                        bool reusable) {
     struct arm arm[WAY_COUNT];
@@ -449,8 +452,8 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, inspection->call->request.loop);
     return arm[WAY_INDEX].execution <
-           (1 + LEARN_BETTER) / 2 * findings.sequential; /* the midpoint between equality and the
-                                                          * required gain */
+           (1 + LEARN_BETTER) / 2 *
+               findings.sequential; /* halfway between equality and the required gain */
 }
 
 const struct method *redcc_advise_swept(const struct chooser *chooser,
@@ -472,7 +475,7 @@ const struct method *redcc_advise_swept(const struct chooser *chooser,
 
 /* ---- after the log and the partition --------------------------------------------------------- */
 
-/* As stealing_pays, for owners cut from the access graph, whose iterations may be scattered over
+/* As stealing_pays, for owners chosen by the access graph. Their iterations may be scattered over
  * the loop. */
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
                               double overhead) {
@@ -480,7 +483,8 @@ static bool stealing_is_worth(const struct chooser *chooser, const struct call *
     return stealing_pays(chooser, call, &found);
 }
 
-/* auto tries stealable blocks if parts are large; their cost is known once they exist. */
+/* auto tries stealable blocks if the owners' parts are large. The cost of the blocks is known only
+ * once they exist. */
 const struct method *redcc_advise_logged(const struct chooser *chooser,
                                          struct inspection *inspection, bool reusable) {
     const struct call *call = inspection->call;
@@ -501,7 +505,7 @@ void redcc_tell_no_graph(struct advice *entry) {
     entry->way = WAY_INDEX;
 }
 
-/* Are the stealable blocks that were tried not worth their cost? */
+/* Were stealable blocks tried that turned out not to be worth their cost? */
 static bool goes_without_stealing(const struct chooser *chooser,
                                   const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -514,8 +518,8 @@ static bool goes_without_stealing(const struct chooser *chooser,
                               (double)(with - without) / trip);
 }
 
-/* Would levels be faster than the owners from the cut? Builds them to decide, if these owners are
- * unbalanced and the deadline permits. */
+/* Would levels be faster than the owners chosen by the access graph? If these owners are unbalanced
+ * and the deadline permits, computes the levels to decide. */
 static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;
@@ -545,7 +549,7 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason) {
     if (outcome->result == RESULT_REFUSED)
         chooser->refused = reason;
-    if (outcome->result == RESULT_CHANGED) /* the change was outside of the sample */
+    if (outcome->result == RESULT_CHANGED) /* the change was outside of the sampled words */
         chooser->steady = 0;
     redcc_observe(&chooser->state, outcome);
 }

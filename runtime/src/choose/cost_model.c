@@ -3,9 +3,9 @@
 
 #include <assert.h>
 
-/* The time of an execution by owners, relative to the original loop. Irregular rows that are
- * prefetched take 0.42 to 0.57. With lanes one thread takes 0.3 to 0.9: worth a plan construction
- * from the credit, but not an overdraft. */
+/* The time of an execution by owners, relative to that of the original loop. Loops with irregular
+ * rows that are prefetched take 0.42 to 0.57. With lanes one thread takes 0.3 to 0.9. The credit
+ * may be spent on such a gain, but no overdraft is allowed for it (learn/learner.h). */
 static double by_owners(const struct findings *it) {
     const double waiting = it->fetched ? LEARN_CLEAR * LEARN_BETTER : 1;
     return waiting * (it->threads > 1 ? LEARN_CONTENDED
@@ -33,7 +33,8 @@ static void by_copies(const struct findings *it, struct arm *arm) {
                      it->copied * (it->reusable ? LEARN_BYTE : 4 * LEARN_BYTE) / trip;
 }
 
-/* Iterations that change owners are distinguished, and check the owner of each row they write. */
+/* Estimates owners by address. An iteration whose owners differ from those of the iteration before
+ * costs more: it begins a new run, and checks the owner of each row that it writes. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
     const double swept = recording(it) + it->runs * 2 * LEARN_ROW;
@@ -44,8 +45,8 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Useless if owners by index are balanced, for pairs, whose graph no cut divides, and for a single
- * use. */
+/* Estimates owners by the access graph. They are useless if owners by address are balanced, for
+ * loops over pairs, whose graph has no good partition, and for a single execution. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = recording(it) + it->touches * 6 * LEARN_TOUCH +
                                 it->further_rows * LEARN_ROW + it->leading_rows * 1.5 * LEARN_ROW;

@@ -1,39 +1,42 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Estimates the cost of each strategy from the results of an inspection so far. */
+/** Estimates the cost of each strategy from what an inspection has found so far. */
 #ifndef REDCC_CHOOSE_COST_MODEL_H
 #define REDCC_CHOOSE_COST_MODEL_H
 
 #include "learn/learner.h"
 
 struct findings {
-    long long trip; /**< iterations */
+    long long trip; /**< number of iterations */
     int threads;
-    double sequential; /**< seconds of the original loop per iteration */
-    double spent;      /**< seconds of this inspection so far */
+    double sequential; /**< seconds per iteration of the original loop */
+    double spent;      /**< seconds that this inspection has taken so far */
     double share;  /**< fraction of the iterations that the most loaded thread executes, with owners
                       by address */
-    double direct; /**< the same without an inspection; 0: not possible */
-    double touches;      /**< per iteration */
-    double leading_rows; /**< different rows of the leading group per iteration */
-    double further_rows; /**< different rows of the other groups per iteration */
-    /** seconds of an iteration's slice; 0: unknown, or as estimated from its touches */
+    double direct; /**< as `share`, if threads find their iterations during execution; 0: that is
+                      not possible */
+    double touches;      /**< number of touches per iteration */
+    double leading_rows; /**< number of different rows of the leading group per iteration */
+    double further_rows; /**< number of different rows of the other groups per iteration */
+    /** seconds of an iteration's slice; 0: unknown, or as long as estimated from its touches */
     double slice;
-    double runs;  /**< fraction of the iterations that touch other owners than the preceding one */
-    bool fetched; /**< accesses are irregular, their data exceed the caches, and plans prefetch them
-                   */
-    bool tiled;   /**< the loop is over pairs, to be cut into tiles */
-    bool lanes;   /**< plans execute by lanes, if that is faster */
-    double copied;   /**< bytes of a private copy; 0: none is permitted, or possible */
-    bool binned;     /**< the loop can be binned */
+    double
+        runs; /**< fraction of the iterations that touch other owners than the iteration before */
+    bool fetched;  /**< accesses are irregular and their data exceed the caches, but plans prefetch
+                      them */
+    bool tiled;    /**< the loop is over pairs, and can be cut into tiles */
+    bool lanes;    /**< plans use the vector form of the loop, if that is faster */
+    double copied; /**< size of a private copy in bytes; 0: private copies are not permitted or not
+                      possible */
+    bool binned;   /**< the loop can be binned */
     bool bins_known; /**< the sample suggests that binning pays */
-    /** seconds per execution that binning adds: merging private copies, and executing the
-     * slices for the overlap guard */
+    /** seconds that binning adds to an execution, to merge private copies and to execute the slices
+     * for the overlap guard */
     double bin_more;
     bool reusable;  /**< the plan can be kept */
-    double checked; /**< bytes of subscripts that are compared before a plan is reused */
+    double checked; /**< number of bytes of subscripts that are compared before a plan is reused */
 };
 
-/** Fills arm [WAY_COUNT]. */
+/** Fills in the estimates arm [WAY_COUNT]. */
 void redcc_estimate_arms(const struct findings *findings, struct arm *arm);
 
 #endif

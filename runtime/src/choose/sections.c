@@ -12,19 +12,19 @@ enum {
     MOST_SHARES = 16,
     /* Shorter loops are not worth a call of the runtime. */
     LEAST_ITERATIONS = 8192,
-    /* The same with inner loops or calls, if a copy has no more elements than the loop has
-     * iterations. */
+    /* As LEAST_ITERATIONS, for iterations with inner loops or calls, if a copy has no more elements
+     * than the loop has iterations. */
     LEAST_HEAVY = 512,
     /* More than two shares are used only with this many updates per element of all copies together.
      * Merging an element into the array and clearing it takes a third of an update's time. Two
      * shares need only one update per element, because they halve the time. More shares gain
      * nothing on two cores, so their merge must be cheap (script/bench openmp). */
     ITERATIONS_PER_ELEMENT = 12,
-    /* An iteration with inner loops or calls takes the time of several updates. */
+    /* An iteration with inner loops or calls counts as this many updates. */
     HEAVY = 8
 };
 
-/* Maximum bytes of all copies: several times the last-level cache of a few cores. */
+/* Maximum size of all copies in bytes: several times the last-level cache of a few cores. */
 static const size_t most_bytes = (size_t)64 << 20;
 
 static struct range range_of(redcc_extent section) {
@@ -42,7 +42,7 @@ static bool are_one(const redcc_loop *loop, const redcc_extent *sections, uint32
            are_alike(&loop->arrays[a], &loop->arrays[b]);
 }
 
-/* The first array that uses the same private copy as this one; perhaps this one. */
+/* The first array that uses the same private copy as this array; it may be this array itself. */
 static uint32_t first_of(const redcc_loop *loop, const redcc_extent *sections, uint32_t array) {
     uint32_t first = 0;
     while (first < array && !are_one(loop, sections, first, array))
@@ -50,7 +50,7 @@ static uint32_t first_of(const redcc_loop *loop, const redcc_extent *sections, u
     return first;
 }
 
-/* Bytes of a copy; 0: none is possible. */
+/* The size of a copy in bytes; 0: no copy is possible. */
 static size_t copy_bytes(const redcc_loop *loop, void *const *bases, const redcc_extent *sections) {
     size_t bytes = 0;
     for (uint32_t a = 0; a < loop->array_count; a++) {
@@ -96,7 +96,8 @@ int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *b
 
 /* ---- how many threads ------------------------------------------------------------------------ */
 
-/* Seconds above which waking the threads is a small part of an execution. */
+/* If an execution takes longer than this time in seconds, waking the threads is a small part of it.
+ */
 #define WORTH_WAKING 0.3e-3
 enum { FEW_CALLS = 1024 };
 
@@ -136,7 +137,8 @@ void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, doub
         it->met[size][arm] = true;
         return;
     }
-    if (arm != redcc_arm_of(pace->timed)) { /* one thread was not tried, since all took long */
+    if (arm != redcc_arm_of(pace->timed)) { /* `arm` is not the next one: one thread was not tried,
+                                               because the executions took long */
         if (arm == 1 || seconds / (double)trip > pace->least[0])
             return;
         *pace = (struct paired_timing){0};

@@ -10,10 +10,10 @@
 #include <assert.h>
 #include <stdatomic.h>
 
-/* Measurements over all loops, in seconds: to wake a region's threads (smoothed), and to start
- * one thread (the last measurement). 0: none yet. If other programs use the cores, new threads
- * wait for a time slice. If the program's own regions have started the threads, a loop's first
- * region takes a quarter of the time to start them. */
+/* Measurements over all loops, in seconds: the time to wake a region's threads (smoothed), and the
+ * time to start one thread (the last measurement). 0: not measured yet. If other programs use the
+ * cores, new threads wait for a time slice. If the program's own regions have started the threads,
+ * a loop's first region takes a quarter of the time to start them. */
 static _Atomic double wake, start;
 static const double first_wake = LEARN_SAMPLE / 40, time_slice = 10 * LEARN_SAMPLE,
                     first_region = LEARN_SAMPLE / 4;
@@ -23,9 +23,9 @@ double redcc_wake_seconds(void) {
     return measured > 0 ? measured : first_wake;
 }
 
-/* The number of running threads is queried at most once in this time. A query takes 4 microseconds,
- * but 15 to 400 after a loop whose data filled the caches. The result is not reused for longer,
- * since another program may have run only for a moment. */
+/* The number of running threads is queried at most once in this time, in seconds. A query takes 4
+ * microseconds, but 15 to 400 microseconds after a loop whose data filled the caches. The result is
+ * not reused for longer, because another program may have run only for a moment. */
 static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
@@ -76,8 +76,8 @@ void redcc_note_waking(double seconds, int started) {
         atomic_store_explicit(&start, seconds / started, memory_order_relaxed);
         return;
     }
-    const double most =
-        5 * first_wake; /* more shows a busy machine, on which loops are compared nevertheless */
+    const double most = 5 * first_wake; /* if it takes longer, the machine is busy, and loops are
+                                           compared nevertheless */
     const double now = seconds < most ? seconds : most, before = redcc_wake_seconds();
     atomic_store_explicit(&wake, before + (now - before) / (2 * LEARN_STABLE),
                           memory_order_relaxed);

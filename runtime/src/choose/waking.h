@@ -6,22 +6,22 @@
 
 #include <stdbool.h>
 
-/** Seconds to wake the threads. */
+/** The seconds that it takes to wake the threads of a region. */
 double redcc_wake_seconds(void);
 
-/** Seconds until a region has started `missing` threads, at least 0.1 ms; wanted: other programs
- * run on the processors that the threads would need. */
+/** The seconds until a region has started `missing` threads, at least 0.1 ms. `wanted`: other
+ * programs run on the processors that these threads would need. */
 double redcc_start_seconds(int missing, bool wanted);
 
-/** Seconds that a region of this many threads needs to start the missing ones under the current
- *  load; 0: none is missing. The query is expensive compared with a light loop. */
+/** The seconds that a region of `threads` threads needs to start those that do not exist, under the
+ * current load; 0: all exist. Querying the load is expensive compared with a light loop. */
 double redcc_likely_start(int threads);
 
-/** A lower bound of that, without a query. */
+/** A lower bound of redcc_likely_start, without querying the load. */
 double redcc_least_start(int threads);
 
-/** Records that starting `started` threads or, if that is 0, waking all threads of a region took
- *  `seconds`; 0: not known. */
+/** Records that starting `started` threads took `seconds` or, if `started` is 0, that waking all
+ * threads of a region did. seconds == 0: unknown. */
 void redcc_note_waking(double seconds, int started);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Iterates over later iterations and their reads, for compiled executors (redcc/prefetch.h). */
+/** For compiled executors (redcc/prefetch.h): finds the iterations to prefetch, and the rows that
+ * they read. */
 #ifndef REDCC_EXECUTE_AHEAD_H
 #define REDCC_EXECUTE_AHEAD_H
 

@@ -4,7 +4,7 @@
  * Mechanik 54, 1974). The rounding errors of each element are accumulated in double and added at
  * the end of the loop.
  *
- * A contribution is rounded to the element's type. If a sum is infinite or NaN, the error is not
+ * A contribution is rounded to the element's type. If a sum is infinite or NaN, its error is not
  * added, so that the element has the value of the plain sum.
  */
 #ifndef REDCC_COMPENSATE_H
@@ -13,18 +13,18 @@
 #include "plan/plan.h"
 #include "plan/rounding.h"
 
-/** Clears the errors of the elements in this thread's share, for arrays at `bases`. */
+/** Clears the errors of this thread's share of the elements of the arrays at `bases`. */
 void redcc_rounding_clear(const struct plan *plan, int thread, void *const *bases);
 
-/** Adds the errors of this thread's share to the arrays. */
+/** Adds the errors of this thread's share of the elements to the arrays. */
 void redcc_rounding_add(const struct plan *plan, int thread);
 
-/** Before the `count` elements at `address` are updated, each at most once: saves their values and
- *  sets them to the neutral element. */
+/** Called before the `count` elements at `address` are updated, each at most once. Saves their
+ * values and sets them to the neutral element. */
 void redcc_rounding_begin(const struct rounding *rounding, void *address, size_t count);
 
-/** The elements now hold contributions: adds these to the saved values, and accumulates the
- *  errors. */
+/** Called after the update, when the elements hold contributions. Adds these to the saved values,
+ * and accumulates the errors. */
 void redcc_rounding_end(const struct rounding *rounding, void *address, size_t count);
 
 #endif

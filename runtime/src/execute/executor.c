@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The executor, the same for all methods: chunks, stages between barriers, copies and their merge.
+ * The executor, which is the same for all methods: it hands out chunks, waits between stages, and
+ * merges copies.
  *
  *     STEP_BEGIN: the first call of redcc_next, which continues with
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
@@ -26,8 +27,8 @@ static int team_size(const struct plan *plan, int team) {
            redcc_team_first(plan->threads, plan->teams.count, team);
 }
 
-/* Sets the bases to which the thread writes: those of the arrays (number < 0), or of a copy,
- * extrapolated to the array's first element. */
+/* Sets the bases to which the thread writes: those of the arrays (number < 0), or those of a copy.
+ * The base of a copy is the address that the array's first element would have in it. */
 static void place_bases(struct runner *runner, int number) {
     const struct plan *plan = runner->plan;
     void *const *bases = runner->run->call->request.bases;
@@ -42,7 +43,7 @@ static void place_bases(struct runner *runner, int number) {
     }
 }
 
-/* The elements that a thread owns in an array whose units have a map. */
+/* The elements that a thread owns in an array if a map gives the owners of its units. */
 static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const char *base,
                                 uint32_t owner) {
     const struct group_map *it = &plan->map.of[group];
@@ -67,7 +68,7 @@ static void place_owners(struct runner *runner) {
         const uintptr_t base = (uintptr_t)runner->run->call->request.bases[group];
         runner->owner[array] = (redcc_owner){.first = (const char *)base};
         if (owner >= plan->owners)
-            continue; /* a method with fewer owners than threads: no owner checks */
+            continue; /* a method with fewer owners than threads has no owner checks */
         if (plan->map.owner) {
             runner->owner[array] = mapped_owner(plan, group, (const char *)base, owner);
             continue;
@@ -117,7 +118,7 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* The number of iterations that the thread executes; with stealing, the average over the
+/* The number of iterations that the thread executes. With work stealing, it is the average over the
  * threads. */
 static redcc_int iterations_of(const struct runner *runner) {
     const struct plan *plan = runner->plan;
@@ -126,7 +127,8 @@ static redcc_int iterations_of(const struct runner *runner) {
 }
 
 /* Begins a selection. If iterations that touch nothing must be executed, each thread gets a share
- * of them. Otherwise one thread executes only the last iteration, for live-out values. */
+ * of them. Otherwise one thread executes the last iteration even if it touches nothing, because
+ * variables that are used after the loop get their values there. */
 static void begin_selecting(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -147,7 +149,7 @@ static void begin_running(redcc_worker *worker) {
     struct run *run = runner->run;
     if (runner->thread == 0)
         run->ready = redcc_seconds();
-    errno = 0; /* discard the inspector's errno, which is not the loop's */
+    errno = 0; /* discards the errno of the inspector, which is not that of the loop */
     runner->stage = 0;
     runner->runs = (struct run_reader){0};
     worker->position = 0;
@@ -169,7 +171,7 @@ static void begin_running(redcc_worker *worker) {
     if (is_hooked(plan))
         begin_hooks(runner);
     redcc_copies_fill(plan, runner->thread);
-    /* other threads filled a part of the memory that this thread writes to */
+    /* other threads have filled a part of the memory to which this thread writes */
     if (plan->method->copies == COPY_TEAM) {
         const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
@@ -178,7 +180,7 @@ static void begin_running(redcc_worker *worker) {
     worker->variant = redcc_run_variant(run, plan, 0);
 }
 
-/* Prepares the thread to hand out iterations [begin, end) in order and in place. */
+/* Prepares the thread to hand out iterations [begin, end) in order; they write to the arrays. */
 static void begin_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
@@ -213,7 +215,7 @@ void redcc_run_check(redcc_worker *worker, redcc_int end) {
     begin_in_order(worker, STEP_CHECK, 0, end);
 }
 
-/* Hands out iterations in order. False: none is left. */
+/* Hands out the next iterations in order. False: no iteration is left. */
 static bool hand_out_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_int left = runner->in_order_end - worker->position;
@@ -242,8 +244,8 @@ bool redcc_run_again(redcc_worker *worker) {
     return is_left;
 }
 
-/* Hands out iterations in order; after repeated ones, compares results, then continues with the
- * rest of a binned loop. */
+/* Hands out iterations in order. After iterations that were repeated for validation, compares the
+ * results, and continues with the rest of a binned loop. */
 static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run *run = runner->run;
@@ -259,7 +261,7 @@ static int next_in_order(redcc_worker *worker) {
     return runner->step == STEP_REST ? next_in_order(worker) : 0;
 }
 
-/* Waits at `stage` for the team's other threads. */
+/* Waits at `stage` for the other threads of the team. */
 static void reach_stage(struct runner *runner, uint32_t stage) {
     const struct plan *plan = runner->plan;
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
@@ -306,7 +308,8 @@ static void begin_share(struct runner *runner, uint32_t share) {
     place_bases(runner, redcc_copy_of_share(plan, share));
 }
 
-/* Waits for the predecessors of `chunk`, and switches to the copy that it writes to. */
+/* Waits for the stages and flags that `chunk` needs, and switches to the copy to which it writes.
+ */
 static void prepare_chunk(struct runner *runner, const struct chunk *chunk) {
     const struct plan *plan = runner->plan;
     const uint32_t *wait = plan->schedule[runner->schedule].wait;
@@ -317,7 +320,7 @@ static void prepare_chunk(struct runner *runner, const struct chunk *chunk) {
         begin_share(runner, chunk->copy);
 }
 
-/* If the current timing slice is done, begins the next one, in its variant. */
+/* If the current timing slice is complete, begins the next slice, with its variant. */
 static void advance_to_slice(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
@@ -325,7 +328,7 @@ static void advance_to_slice(redcc_worker *worker) {
         worker->variant = redcc_run_variant(runner->run, runner->plan, parts->number);
 }
 
-/* Reads some runs of the current timing slice. Returns their number. */
+/* Reads some runs of the current timing slice. Returns the number of runs. */
 static size_t read_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
@@ -335,8 +338,8 @@ static size_t read_runs(redcc_worker *worker) {
     return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
 }
 
-/* Hands out runs of the current chunk: all remaining ones if they need no change, otherwise some of
- * them. False: none is left. */
+/* Hands out runs of the current chunk: all remaining runs if they need no change, otherwise some of
+ * them. False: no run is left. */
 static bool hand_out_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run_reader *runs = &runner->runs;
@@ -354,7 +357,7 @@ static bool hand_out_runs(redcc_worker *worker) {
     return count > 0;
 }
 
-/* Work stealing: takes the next stealable block. False: none is left. */
+/* Work stealing: takes the next stealable block. False: no block is left. */
 static bool steal(struct runner *runner) {
     struct run *run = runner->run;
     const unsigned claimed =
@@ -364,7 +367,7 @@ static bool steal(struct runner *runner) {
     return next != UINT32_MAX;
 }
 
-/* Advances to the next schedule of a plan with stealable blocks. False: none is left. */
+/* Advances to the next schedule of a plan with stealable blocks. False: no schedule is left. */
 static bool advance_to_schedule(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
@@ -377,7 +380,7 @@ static bool advance_to_schedule(redcc_worker *worker) {
     return true;
 }
 
-/* Advances to the next chunk. False: none is left. */
+/* Advances to the next chunk. False: no chunk is left. */
 static bool advance_to_chunk(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct schedule *schedule = &runner->plan->schedule[runner->schedule];
@@ -393,8 +396,8 @@ static bool advance_to_chunk(redcc_worker *worker) {
     return true;
 }
 
-/* Hands out runs of the classified iterations or, if there are none, a request to classify the next
- * ones. Discards the errno that slices set. */
+/* Hands out runs of classified iterations or, if there are none, a request to classify the next
+ * iterations. Discards the errno that slices set. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -420,7 +423,7 @@ static int hand_out_selected(redcc_worker *worker) {
     return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
-/* Hands out the next tile. A run with its rows is set only so that errno is stored with an
+/* Hands out the next tile. A run with the tile's rows is set only because errno is recorded with an
  * iteration. */
 static int hand_out_tile(redcc_worker *worker) {
     struct runner *runner = worker->execution;
@@ -469,9 +472,9 @@ static int next_chunk(redcc_worker *worker) {
 }
 
 /* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the last
- * failing chunk is stored with `end`, one past its last iteration: 2 * (end + 1) + (ERANGE ? 1 :
- * 0). If iterations in several threads fail with different errors, the stored one may differ from
- * the sequential one. */
+ * failing chunk is stored together with `end`, one past the chunk's last iteration: 2 * (end + 1) +
+ * (ERANGE ? 1 : 0). If iterations in several threads fail with different errors, the stored error
+ * may differ from that of the sequential loop. */
 void redcc_note_error(struct run *run, redcc_int end) {
     assert(end >= 0);
     const int error = errno;

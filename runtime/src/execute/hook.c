@@ -10,7 +10,7 @@ enum { LOCKS = 1 << 14, TRIES = 100 };
 
 static atomic_uchar locks[LOCKS]; /* indexed by a hash of the unit's address */
 
-/* The offset of the address in its unit. */
+/* The offset of `address` in its unit. */
 static size_t into_unit(const struct redcc_hook *hook, const void *address) {
     const ptrdiff_t offset = (ptrdiff_t)((uintptr_t)address - hook->base);
     const ptrdiff_t into = offset % (ptrdiff_t)hook->unit;
@@ -61,7 +61,8 @@ void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const red
         const struct rounding *rounding = plan->rounding ? &plan->rounding[group] : NULL;
         if (!hooks->locks && (!rounding || !rounding->value))
             continue;
-        /* Overlapping arrays (a group) use the same locks, those of the group's units. */
+        /* Overlapping arrays form a group and must use the same locks: those of the units of the
+         * array that identifies the group. */
         const uint32_t units = hooks->locks ? group : array;
         hooks->hook[array] = (struct redcc_hook){.of = hooks,
                                                  .owner = owner[array],

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Decides the number of iterations that are executed at once, with a reason (docs/lanes.md). */
+/** Decides how many iterations are executed at once, and gives a reason (docs/lanes.md). */
 #ifndef REDCC_EXECUTE_LANES_H
 #define REDCC_EXECUTE_LANES_H
 
 /** Values of REDCC_LANES. */
-enum lanes_setting { LANES_OFF, LANES_AUTO /* if loop and processor permit it */ };
+enum lanes_setting { LANES_OFF, LANES_AUTO /* if the loop and the processor permit it */ };
 
-/** Why an execution has lanes or none: identifier, slug, meaning. docs/report.md lists the slugs,
- * and a test compares the two lists. */
+/** Why an execution uses the vector form or not: identifier, slug, meaning. docs/report.md lists
+ * the slugs, and a test compares the two lists. */
 #define REDCC_LANES_LIST(X)                                                                        \
     X(LANES_NOT_WRITTEN, "not-written", "the loop has no form for vectors")                        \
     X(LANES_SAID_OFF, "off", "`REDCC_LANES=off`")                                                  \
@@ -21,11 +21,11 @@ enum lanes_reason {
         LANES_REASON_COUNT
 };
 
-/** The slug of a reason; "" for none. */
+/** The slug of a reason; "" for any other value. */
 const char *redcc_lanes_slug(enum lanes_reason reason);
 
-/** The number of iterations at once, from the flags of a redcc_loop; 0: one by one, with the reason
- * in *reason. Thread-safe. */
+/** The number of iterations executed at once, from the flags of a redcc_loop; 0: one by one. Sets
+ * *reason. Thread-safe. */
 int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_reason *reason);
 
 #endif

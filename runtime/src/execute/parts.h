@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A thread's iterations of one execution, divided into timing slices for a trial of variants. */
+/** Divides a thread's iterations of one execution into timing slices, for a trial that compares
+ * variants. */
 #ifndef REDCC_EXECUTE_PARTS_H
 #define REDCC_EXECUTE_PARTS_H
 
@@ -7,20 +8,21 @@
 
 #include <stdbool.h>
 
-/** One thread's timing slices, which are called parts. count == 0: no trial. */
+/** One thread's timing slices, which the code calls parts. count == 0: there is no trial. */
 struct parts {
     unsigned count;
     unsigned number; /* index of the current slice */
-    redcc_int size;  /* iterations per slice; the last one has all that remain */
-    redcc_int left;  /* iterations left in the current slice */
-    double began;    /* s, start of the current slice */
+    redcc_int size;  /* number of iterations per slice; the last slice has all that remain */
+    redcc_int left;  /* number of iterations left in the current slice */
+    double began;    /* start of the current slice, in seconds */
     struct {
         double seconds;
         redcc_int iterations;
     } part[VARIANT_PARTS];
 };
 
-/** Begins slice 0 of `count` (at most VARIANT_PARTS); iterations: the total number. */
+/** Begins slice 0 of `count` (at most VARIANT_PARTS). `iterations` is the total number of
+ * iterations. */
 void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations);
 
 /** If the current slice has no iterations left, ends it and begins the next one. Returns whether it
@@ -30,7 +32,7 @@ bool redcc_parts_next(struct parts *it);
 /** Ends the current slice, if any. */
 void redcc_parts_end(struct parts *it);
 
-/** Adds the thread's times to seconds[] and iterations[] [it->count]. */
+/** Adds the thread's times to seconds [it->count] and its iterations to iterations [it->count]. */
 void redcc_parts_add(const struct parts *it, double *seconds, double *iterations);
 
 #endif

@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/prefetch.h"
 
-/* Bytes of arrays below which prefetches do not help. The second-level caches of current cores have
- * 0.25 to 2 MiB, and accesses to them overlap with other operations. */
+/* The size of arrays in bytes below which prefetches do not help. The second-level caches of
+ * current cores have 0.25 to 2 MiB, and accesses to them overlap with other operations. */
 enum { LEAST_BYTES = 1 << 20 };
 
-/* For light loops with random updates, prefetches were faster with 10 MB of arrays and slower with
- * 5 (script/bench lanes, SIDE=650 and 467). The shared cache of that machine, 32 MiB, also holds
- * the data that are read. */
+/* The same limit for light loops. With random updates, they were faster with prefetches if arrays
+ * had 10 MB, and slower if they had 5 MB (script/bench lanes, SIDE=650 and 467). The shared cache
+ * of that machine, 32 MiB, also holds the data that are read. */
 enum { LEAST_BYTES_LIGHT = 8 << 20 };
 
-/* Average iterations of a run: longer runs mean regular accesses. */
+/* Average number of iterations of a run; longer runs mean regular accesses. */
 enum { SHORT_RUN = 4 };
 
 bool redcc_prefetch_is_possible(const struct plan *plan) {
-    return plan->copies.count == 0; /* the slice computes addresses in the arrays, not in copies */
+    return plan->copies.count ==
+           0; /* the slice computes addresses in the arrays, not in the copies */
 }
 
 static ptrdiff_t bytes_updated(const struct plan *plan) {

@@ -8,19 +8,19 @@
 
 #include <stdbool.h>
 
-/** Values of REDCC_PREFETCH. */
+/** The values of REDCC_PREFETCH. */
 enum prefetch_setting {
     PREFETCH_OFF,
-    PREFETCH_AUTO, /* if trials show that it pays (variant.h) */
-    PREFETCH_ON    /* whenever loop and plan permit it */
+    PREFETCH_AUTO, /* prefetches are used if trials show that they pay (variant.h) */
+    PREFETCH_ON    /* prefetches are used whenever the loop and the plan permit them */
 };
 
-/** Is it possible with this plan: does it write to the arrays directly? */
+/** Are prefetches possible with this plan? Only if it writes to the arrays themselves. */
 bool redcc_prefetch_is_possible(const struct plan *plan);
 
-/** Can it pay with this plan: is it possible, and are the arrays larger than a core's caches? For
- * light iterations: are they also larger than a share of the shared cache, with irregular accesses?
- */
+/** Can prefetches pay with this plan? They must be possible, and the arrays larger than a core's
+ * caches. For light iterations, the arrays must also be larger than a share of the shared cache,
+ * and accesses irregular. */
 bool redcc_prefetch_is_of_use(const struct plan *plan, bool is_light);
 
 #endif

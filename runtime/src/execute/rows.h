@@ -7,11 +7,12 @@
 
 struct redcc_kept_row;
 
-/** Sets `bytes` bytes to neutral elements of the array's operator; for a type without one, to 0. */
+/** Sets `bytes` bytes to neutral elements of the array's operator. If the type has no neutral
+ * element, sets them to 0. */
 void redcc_rows_fill(const redcc_array *array, void *values, redcc_size bytes);
 
-/** Adds rows to their arrays in order, if the thread owns them: each under its lock, or as one
- *  contribution to compensated sums. */
+/** Adds the rows in `kept` to their arrays in order, if the thread owns them: each under its lock,
+ * or as one contribution to compensated sums. */
 void redcc_rows_settle(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
 
 #endif

@@ -16,62 +16,63 @@
 
 enum { REDCC_RUNS = 128 };
 
-/** The variants from which an execution chooses, and their results so far. */
+/** The variants from which an execution chooses, and the results of earlier executions. */
 struct variant_choice {
     const struct variants *known;
-    bool is_open;  /* trials decide between prefetches and none */
-    bool is_asked; /* prefetches are requested */
-    int lanes;     /* iterations at once; 0: one by one */
+    bool is_open;  /* trials decide whether to use prefetches */
+    bool is_asked; /* REDCC_PREFETCH requests prefetches */
+    int lanes;     /* number of iterations executed at once; 0: one by one */
     enum lanes_reason why;
 };
 
-/** State shared by all threads. */
+/** State of an execution that all threads share. */
 struct run {
     const struct call *call;
-    struct plan *plan; /* NULL: none (yet) */
+    struct plan *plan; /* NULL: there is no plan (yet) */
     struct variant_choice variant;
     struct barrier *barrier;
-    struct validated *validated; /* NULL: no validation */
+    struct validated *validated; /* NULL: the loop is not validated */
     struct validation validation;
-    atomic_ullong error; /* the loop's errno: executor.c */
+    atomic_ullong error; /* the errno of the loop (redcc_note_error) */
     atomic_int last_claimed;
     atomic_uint
-        blocks_claimed; /* number of stealable blocks, or bands of tiles, taken by threads */
-    /* Seconds. */
+        blocks_claimed; /* number of stealable blocks, or bands of tiles, that threads have taken */
+    /* Times in seconds: */
     double ready;    /* when the plan was ready */
-    double executed; /* with validation: when the loop was done; 0: the loop is not validated */
+    double executed; /* with validation: when the loop was executed; otherwise 0 */
 };
 
-/** The state of a thread's execution. */
+/** What a thread's redcc_next hands out. */
 enum step {
     STEP_BEGIN,
-    STEP_EXECUTE, /* executes chunk by chunk */
-    STEP_REST,    /* a binned loop's remaining iterations, in order */
-    STEP_CHECK,   /* validation: repeats iterations in order */
+    STEP_EXECUTE, /* the chunks of the plan */
+    STEP_REST,    /* the remaining iterations of a binned loop, in order */
+    STEP_CHECK,   /* validation: iterations that are repeated in order */
     STEP_END
 };
 
-/** One thread's part. */
+/** One thread's part in an execution. */
 struct runner {
     struct run *run;
     const struct plan *plan; /* the plan that is executed */
     int thread;
     int threads;
-    struct float_control float_control; /* the thread's own state, while it uses the caller's */
+    struct float_control float_control; /* the thread's own settings, while it uses those of the
+                                           thread that entered the loop */
     enum step step;
-    uint32_t schedule; /* the plan's schedule being executed */
-    uint32_t stage;    /* the current stage of execution */
+    uint32_t schedule; /* index of the schedule that is being executed */
+    uint32_t stage;    /* the current stage of the plan */
     struct hooks hooks;
-    struct run_reader runs;             /* the current chunk's remaining runs */
-    redcc_iterations piece[REDCC_RUNS]; /* the runs handed out, if they had to be unpacked, marked
-                                         * for owner checks, or cut */
-    struct parts parts;                 /* timing slices of a trial */
-    redcc_iterations whole;             /* iterations handed out in order, without a plan */
-    redcc_int in_order_end;             /* one past the last iteration to hand out in order */
+    struct run_reader runs;             /* the remaining runs of the current chunk */
+    redcc_iterations piece[REDCC_RUNS]; /* the runs that were handed out, if they had to be
+                                           unpacked, marked for owner checks, or split */
+    struct parts parts;                 /* the timing slices of a trial */
+    redcc_iterations whole; /* the iterations that were handed out in order, without a plan */
+    redcc_int in_order_end; /* one past the last iteration to hand out in order */
     struct selection selection;
     struct tile_walk tiles;
-    void **base;        /* [array_count] bases to which it writes */
-    redcc_owner *owner; /* [array_count] the elements that it owns */
+    void **base;        /* [array_count] the bases to which the thread writes */
+    redcc_owner *owner; /* [array_count] the elements that the thread owns */
 };
 
 /** Initialises the run before the threads begin. */
@@ -80,40 +81,42 @@ void redcc_run_begin(struct run *run);
 /** Chooses the variants of this execution, from run->call. `known` must outlive the run. */
 void redcc_run_choose_variant(struct run *run, const struct variants *known);
 
-/** Number of timing slices of an execution with the plan; 0 if variants are not compared. */
+/** The number of timing slices of an execution with the plan; 0 if variants are not compared. */
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan);
 
-/** The variant of a slice, by its number; without a trial, slice 0 is the whole execution. */
+/** The variant of the timing slice with number `part`. Without a trial, slice 0 is the whole
+ * execution. */
 redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, unsigned part);
 
 /** After the execution: records seconds and iterations of each slice, summed over the threads. */
 void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,
                             const double *iterations);
 
-/** Makes the thread's redcc_next hand out the iterations from `from` on, in order and in place;
- * from == trip: none. */
+/** Makes the thread's redcc_next hand out the iterations from `from` on, in order; they write to
+ * the arrays. from == trip: none. */
 void redcc_run_rest(redcc_worker *worker, redcc_int from);
 
-/** The same for iterations begin to before end. */
+/** As redcc_run_rest, for the iterations from `begin` to before `end`. */
 void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end);
 
-/** Validation: makes the first thread's redcc_next hand out the iterations before `end` again, with
- * the arrays' saved contents restored. Then the two results are compared, and the rest of the loop
- *  follows. All threads must have finished these iterations. */
+/** For validation: makes the first thread's redcc_next hand out the iterations before `end` again,
+ * after the arrays' saved contents were restored. Then the two results are compared, and the rest
+ * of the loop follows. All threads must have finished these iterations. */
 void redcc_run_check(redcc_worker *worker, redcc_int end);
 
-/** After the loop: prepares the thread to execute all iterations again, in order, owning nothing.
- */
+/** Called after the loop: prepares the thread to execute all iterations again, in order, without
+ * owning any element. */
 void redcc_run_own_nothing(redcc_worker *worker);
 
-/** Hands out some of these iterations; false: none is left. */
+/** Hands out some of the iterations that redcc_run_own_nothing prepared. False: no iteration is
+ * left. */
 bool redcc_run_again(redcc_worker *worker);
 
-/** Called if errno is not 0 after iterations that end before `end`: records it for redcc_error_of,
- * and clears it. */
+/** Called if errno is not 0 after iterations that end before `end`. Records errno for
+ * redcc_error_of, and clears it. */
 void redcc_note_error(struct run *run, redcc_int end);
 
-/** The value to which the loop's mathematical functions have set errno; 0: none. */
+/** The value that the loop's mathematical functions have given errno; 0: none. */
 int redcc_error_of(struct run *run);
 
 #endif

@@ -15,7 +15,7 @@ void redcc_run_choose_variant(struct run *run, const struct variants *known) {
     it->is_open = can_prefetch && call->prefetch == PREFETCH_AUTO;
 }
 
-/* Is the choice open, and does it affect an execution with the plan? */
+/* Is the choice open, and does it matter for an execution with the plan? */
 static bool is_open_with(const struct run *run, const struct plan *plan) {
     return run->variant.is_open &&
            redcc_prefetch_is_of_use(plan, run->call->request.loop->flags & REDCC_LIGHT);

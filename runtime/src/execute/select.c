@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <stdint.h>
 
-enum { WORD = 64 }; /* bits */
+enum { WORD = 64 }; /* number of bits */
 _Static_assert(REDCC_SELECTED == WORD * REDCC_SELECTED_WORDS, "a bit for each iteration");
 
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
@@ -37,20 +37,20 @@ bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
     return true;
 }
 
-/* Eight classes, the first one in the lowest byte. Compilers make it one load. */
+/* Loads eight classes, the first one in the lowest byte. Compilers make this one load. */
 static uint64_t load_eight(const unsigned char *class) {
     return (uint64_t) class[0] | (uint64_t) class[1] << 8 | (uint64_t) class[2] << 16 |
            (uint64_t) class[3] << 24 | (uint64_t) class[4] << 32 | (uint64_t) class[5] << 40 |
            (uint64_t) class[6] << 48 | (uint64_t) class[7] << 56;
 }
 
-/* Gathers the lowest bits of eight bytes. The product's highest byte is the sum of eight copies,
- * each shifted so that one of the bits gets to its place. */
+/* Gathers the lowest bits of eight bytes. The product's highest byte is the sum of eight shifted
+ * copies, in each of which one of the bits is in its place. */
 static uint64_t gather_lowest(uint64_t eight) {
     return (eight & 0x0101010101010101u) * 0x0102040810204080u >> 56;
 }
 
-/* The bits of the iterations from `begin` to before `end`, of the word that begins with iteration
+/* The bits of the iterations from `begin` to before `end` in the word that begins with iteration
  * `first`. */
 static uint64_t bits_between(redcc_int begin, redcc_int end, redcc_int first) {
     const redcc_int low = begin > first ? begin - first : 0, high = end - first;
@@ -78,20 +78,21 @@ static void set_bits(struct selection *selection, const redcc_worker *worker) {
     }
 }
 
-/* The number of iterations from a word's bit on, to the first bit that is set in `ends` or to the
- * word's end. */
+/* The number of iterations from bit `bit` of a word to before the first bit that is set in `ends`,
+ * or to the word's end. */
 static redcc_int length_until(uint64_t ends, unsigned bit) {
     const redcc_int left = (redcc_int)(WORD - bit);
     const redcc_int length = ends >> bit ? __builtin_ctzll(ends >> bit) : left;
     return length < left ? length : left;
 }
 
-/* All bits if `is_set`. */
+/* A word with all bits set if `is_set`, otherwise 0. */
 static uint64_t all_if(bool is_set) {
     return is_set ? UINT64_MAX : 0;
 }
 
-/* The classes may be in random order: so this branches for each run, not for each iteration. */
+/* The classes may be in random order. Therefore this function branches once for each run, not for
+ * each iteration. */
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations) {
     const redcc_int count = worker->last - worker->first;

@@ -29,21 +29,21 @@
 struct tile_walk {
     struct tile_grid grid;
     uint32_t band;
-    uint32_t block;  /* block of its next tile */
-    redcc_tile tile; /* the tile handed out */
+    uint32_t block;  /* number of its next block */
+    redcc_tile tile; /* the tile that was handed out last */
     bool has_band;
-    bool is_handed; /* the tile before `block` was handed out; the next call marks it as done */
+    bool is_handed; /* the tile before `block` was handed out, and the next call marks it as done */
 };
 
 void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);
 
-/** Waits until the thread's next tile may be executed, and returns it. *claimed counts the bands
- * that threads have taken. NULL: no tile is left. */
+/** Waits until the thread's next tile may be executed, and returns this tile. *claimed counts the
+ * bands that threads have taken. NULL: no tile is left. */
 const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
                                    atomic_uint *claimed);
 
-/** After the last tile of the thread's band: waits until the operands of all bands above have been
- *  added to the sums. */
+/** Called after the last tile of the thread's band: waits until the operands of all bands above
+ * have been added to the sums. */
 void redcc_tiles_await_sums(struct tile_walk *walk, const struct plan *plan);
 
 /** Signals that the operands of the thread's band have been added. */

@@ -39,13 +39,13 @@ static void begin(struct validation *validation, uint32_t count, const char *met
     validation->count = count;
 }
 
-/* Extends the saved range to `bytes` bytes at `place`. */
+/* Extends the saved range to `bytes` bytes at `place`. False: out of memory. */
 static bool hold(struct held *held, char *place, size_t bytes) {
     char *memory = redcc_memory_alloc(bytes);
     if (!memory)
         return false;
     memcpy(memory, place, bytes);
-    if (held->memory) /* the loop has written this range since it was saved */
+    if (held->memory) /* the loop has written to this range since it was saved */
         memcpy(memory + (held->place - place), held->memory, held->bytes);
     redcc_memory_free(held->memory);
     held->memory = memory;
@@ -54,7 +54,7 @@ static bool hold(struct held *held, char *place, size_t bytes) {
     return true;
 }
 
-/* Gives up and counts the execution if one of `count` arrays is scattered. */
+/* If one of `count` arrays is scattered, gives up and counts the execution. */
 static bool pass_over(struct validation *validation, uint32_t count, void *const *bases,
                       struct validated *validated) {
     for (uint32_t array = 0; array < count; array++)
@@ -116,8 +116,8 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* The number of representable values from one to the other: interpreted as integers, floats are in
- * order. */
+/* The distance of two floating-point values, in representable values. Their bits, read as
+ * integers, have the order of the values; in reverse if both are negative. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \
@@ -153,7 +153,8 @@ static double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-/* The difference in units in the last place; for types other than floating ones, 0 or infinity. */
+/* The difference in units in the last place (ulps). For types other than floating-point types, it
+ * is 0 or infinite. */
 static double ulps(redcc_type type, size_t size, const char *p, const char *q) {
     switch (type) {
     case REDCC_FLOAT:
@@ -181,8 +182,8 @@ static bool is_nan(redcc_type type, const char *p) {
     return f != f || d != d;
 }
 
-/* Do the two differ in a relevant bit? Bits of NaNs and the padding of a long double are
- * ignored. */
+/* Do the two elements differ in a relevant bit? The bits of NaNs and the padding of a long double
+ * are ignored. */
 static bool differ(redcc_type type, size_t size, const char *p, const char *q) {
     const size_t counted = type == REDCC_LONG_DOUBLE && LDBL_MANT_DIG == 64 ? 10 : size;
     return memcmp(p, q, counted) != 0 && !(is_nan(type, p) && is_nan(type, q));
@@ -195,7 +196,7 @@ static size_t element_size(const redcc_array *array) {
     return rule ? rule->size : array->element;
 }
 
-/* Compares one array; returns whether the result is as promised. */
+/* Compares one array. Returns whether the result is as promised. */
 static bool compare(const struct held *held, const redcc_array *array, const void *base,
                     struct validated *validated) {
     const size_t size = element_size(array);

@@ -4,15 +4,15 @@
  * the first thread executes all iterations of the loop again, in order. Then the two results are
  * compared.
  *
- * If the sequential loop's bits are promised, an element with other bits is an error; so is a
- * different integer in any order. For floating sums in another order, only the largest difference
- * is reported. NaNs count as equal, whatever their bits. An execution concurrent with another one
- * of the same loop is not compared. Nor is a loop with a scattered array, because memory between
- * its elements must not be copied.
+ * If the sequential loop's bits are promised, an element with other bits is an error. An integer
+ * with another value is an error under any order. For floating sums in another order, only the
+ * largest difference is reported. NaNs count as equal, whatever their bits. An execution is not
+ * compared if another thread executes the same loop at the same time. Nor is a loop with a
+ * scattered array, because memory between its elements must not be copied.
  *
- * With a plan, the written range is known before the loop runs. For a binned loop it is known
- * before each round's updates are applied, so that the copies grow. If a binned loop continues
- * sequentially, the iterations up to that point are compared.
+ * With a plan, the written range is known before the loop runs. For a binned loop it is known only
+ * before each round's updates are applied, so that the copies grow from round to round. If a binned
+ * loop continues sequentially, the iterations up to that point are compared.
  */
 #ifndef REDCC_VALIDATE_H
 #define REDCC_VALIDATE_H
@@ -28,32 +28,35 @@ struct plan;
 
 /** Results of REDCC_VALIDATE=1. */
 struct validated {
-    long executions;      /* number of executions compared with the sequential loop */
-    long passed_over;     /* number not compared, because a scattered array cannot be copied */
-    long broken;          /* number of executions with errors */
-    atomic_long misnamed; /* updates of rows that a slice did not name (redcc/parallel.h) */
-    double largest;       /* largest difference, in ulps */
-    const char *array;    /* the array in which it was found */
-    char name[64];        /* storage for that array's name */
-    redcc_int element;    /* counted from the array's first one */
+    long executions;  /* number of executions compared with the sequential loop */
+    long passed_over; /* number of executions not compared, because a scattered array cannot be
+                         copied */
+    long broken;      /* number of executions with errors */
+    atomic_long
+        misnamed;      /* number of updates of rows that a slice did not name (redcc/parallel.h) */
+    double largest;    /* largest difference, in ulps */
+    const char *array; /* the array with this difference */
+    char name[64];     /* storage for that array's name */
+    redcc_int element; /* number of the element with this difference, counted from the array's first
+                          element */
 };
 
-/** Saved contents of one array. */
+/** The saved contents of one array. */
 struct held {
-    char *memory; /* the contents before the loop; then the loop's results; NULL: nothing was
+    char *memory; /* the contents before the loop, later the loop's results; NULL: nothing was
                      touched */
-    char *place;  /* its address in the array */
+    char *place;  /* address of the saved bytes in the array */
     size_t bytes;
-    bool in_order; /* the sequential loop's bits are promised, for any type */
+    bool in_order; /* the sequential loop's bits are promised, also for floating-point types */
 };
 
-/** The validation of one execution. Zero: none. */
+/** The validation of one execution. If all fields are zero, there is none. */
 struct validation {
     bool began;
-    bool gave_up;       /* no memory, or an array is scattered */
+    bool gave_up;       /* there was no memory, or an array is scattered */
     const char *method; /* the method that executed the loop */
     uint32_t count;
-    struct held *held; /* [count] for each array or, with a plan, each group */
+    struct held *held; /* [count] one for each array or, with a plan, for each group */
 };
 
 /** Bytes of an array that are about to be written. */
@@ -62,22 +65,22 @@ struct written {
     struct range bytes;
 };
 
-/** Copies the contents of the plan's groups, for arrays at `bases`. There is no validation if
- * memory is lacking or an array is scattered; the latter is counted in *validated. Called by one
- * thread, while no thread writes. */
+/** Copies the contents of the plan's groups, for arrays at `bases`. If there is no memory or an
+ * array is scattered, there is no validation. The latter is counted in *validated. Called by one
+ * thread, while no thread writes to the arrays. */
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
                             void *const *bases, struct validated *validated);
 
-/** Without a plan: called before the bytes `written` of one of the loop's arrays, which are at
- * `bases`; copies those that are not copied yet. Otherwise the same as redcc_validation_begin. */
+/** Without a plan: called before the bytes `written` of one of the loop's arrays are written.
+ * Copies those that are not copied yet. In all other respects it is like redcc_validation_begin. */
 void redcc_validation_grow(struct validation *validation, const redcc_loop *loop,
                            void *const *bases, struct written written, struct validated *validated);
 
-/** After the loop: saves its results, and restores the arrays' previous contents. */
+/** Called after the loop: saves its results, and restores the arrays' previous contents. */
 void redcc_validation_swap(struct validation *validation);
 
-/** After the repetition: compares the arrays at `bases` with the saved results, restores these,
- *  records differences in *validated, and frees the memory. */
+/** Called after the repetition: compares the arrays at `bases` with the saved results, restores the
+ * results, records differences in *validated, and frees the memory. */
 void redcc_validation_end(struct validation *validation, const redcc_loop *loop, void *const *bases,
                           struct validated *validated);
 

@@ -3,10 +3,12 @@
 
 #include <assert.h>
 
-/* Least number of iterations of a timing slice, so that it takes at least some microseconds. */
+/* The least number of iterations of a timing slice, so that a slice takes at least some
+ * microseconds. */
 enum { LEAST_PART = 512 };
 
-/* The minimum number of rounds of a trial: the first slice of an execution finds cold caches. */
+/* The minimum number of rounds of a trial. One round is not enough, because the first slice of an
+ * execution finds cold caches. */
 enum { LEAST_ROUNDS = 2 };
 
 static bool is_trial(const struct variants *it, bool open) {
@@ -18,7 +20,7 @@ unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int ite
     if (!is_trial(it, open))
         return 0;
     const int lacking = VARIANT_PARTS - it->pairs.timed;
-    assert(lacking > 0); /* the trial is not over */
+    assert(lacking > 0); /* otherwise the trial would have ended */
     const redcc_int possible = iterations / LEAST_PART;
     return possible < 1 ? 1 : possible < lacking ? (unsigned)possible : (unsigned)lacking;
 }
@@ -27,8 +29,8 @@ bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
     return open && (is_trial(it, open) ? redcc_arm_of(it->pairs.timed + (int)part) == 0 : it->best);
 }
 
-/* Ends a trial. The next one waits for four times the back-off's length, which doubles with each
- * trial. */
+/* Ends a trial. The next trial waits for four times the length of the back-off, which doubles with
+ * each trial. */
 static void end_trial(struct variants *it, bool best) {
     it->pairs = (struct paired_timing){0};
     it->best = best;

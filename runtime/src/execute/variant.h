@@ -13,28 +13,29 @@
 
 #include <stdbool.h>
 
-/** A round has one slice of each variant. A long execution has several rounds. */
+/** A round of a trial has one timing slice of each variant. A long execution has several rounds. */
 enum {
     VARIANTS = PAIRED_ARMS,
     VARIANT_ROUNDS = 2 * LEARN_PAIRS,
     VARIANT_PARTS = VARIANT_ROUNDS * VARIANTS
 };
 
-/** Results over a loop's executions. Initially zero. */
+/** The results of a loop's executions. Initially zero. */
 struct variants {
-    struct paired_timing pairs; /* of the current trial */
-    bool best;                  /* the last trial's winner: with prefetches? */
+    struct paired_timing pairs; /* timings of the current trial */
+    bool best;                  /* did the variant with prefetches win the last trial? */
     long executions;            /* number of executions in which the choice was open */
-    struct back_off back_off;   /* counts executions until the next trial */
+    struct back_off
+        back_off; /* wait for the next trial, in executions in which the choice was open */
 };
 
-/** The number of timing slices of an execution in which each thread executes `iterations` on
- *  average: as many as the trial still needs, if the iterations suffice; 0: no trial. `open`:
- * trials are allowed. */
+/** The number of timing slices of an execution in which each thread executes `iterations`
+ * iterations on average. It is as many as the trial still needs, if the iterations suffice; 0:
+ * there is no trial. `open`: trials are allowed. */
 unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations);
 
-/** Does slice number `part` of the execution prefetch? If the choice is open, slice 0 of the loop's
- *  first execution does. */
+/** Does timing slice number `part` of the execution use prefetches? If the choice is open, slice 0
+ * of the loop's first execution does. */
 bool redcc_variant_of(const struct variants *it, bool open, unsigned part);
 
 /** Records a finished execution: the seconds per iteration of each slice. One thread at a time. */

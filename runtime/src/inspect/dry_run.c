@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The dry run: does the loop update data that determine which addresses its slice reads? Touched
- * and read addresses are represented by ranges, as in the overlap guard.
+ * The dry run: does the loop update data that determine which addresses its slice reads? Ranges
+ * represent the touched and the read addresses, as in the overlap guard.
  *
- * Most touches and reads need no call of the runtime: a touch in the array's window, and a read in
- * the source's clear range. No window overlaps a clear range. If all relevant read ranges are
- * known, a window is the gap between two of them. Otherwise it is the touched range with a margin
- * on each side, as long as the range but at most halfway to the next read range. Clear ranges lie
- * between two windows. So a range that grows with each iteration is processed a logarithmic number
- * of times. A read in a margin need not overlap a touched address: then a second run without
- * margins follows.
+ * Each array has a window, and each source a clear range; no window overlaps a clear range. A touch
+ * in its array's window and a read in its source's clear range need no call of the runtime. If all
+ * relevant read ranges are known, a window is the gap between two of them. Otherwise it is the
+ * touched range with a margin on each side. A margin is as long as the range, but reaches at most
+ * halfway to the next read range. Clear ranges lie between two windows. So a range that grows with
+ * each iteration is processed a logarithmic number of times. A read in a margin need not overlap a
+ * touched address. If it ends the run, a second run without margins follows.
  */
 #include "inspect/inspection.h"
 
@@ -19,10 +19,10 @@
 
 #include <assert.h>
 
-/* no iteration is settled: all are recorded, none is probed */
+/* value of worker->alike while all iterations are recorded and none is probed */
 static const redcc_int never_settled = -((redcc_int)1 << 62);
 
-/* Begins a run from the first iteration, with nothing touched or read. */
+/* Begins a run with the first iteration. Nothing is touched or read yet. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
     struct dry_run *run = &inspector->dry_run;
     for (uint32_t array = 0; array < inspection->partition.array_count; array++)
@@ -53,8 +53,8 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     return !inspector->failed;
 }
 
-/* Leaves room for one touch and an iteration's end, so that the next touch outside of the windows
- * is processed immediately. */
+/* Makes the worker flush after one entry (and perhaps an iteration's end), so that each touch
+ * outside of the windows is processed immediately. */
 static void expect_one(const struct inspector *inspector, redcc_worker *worker) {
     worker->entry = inspector->entries;
     worker->entry_end = inspector->entries + 1;
@@ -86,12 +86,13 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     return true;
 }
 
-/* Are all relevant read ranges known beforehand? */
+/* Are all relevant read ranges known before the dry run? */
 static bool is_all_known(const struct inspection *inspection) {
     return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
 }
 
-/* The range that is read of a source: the known one, or the recorded one if it is relevant. */
+/* The range of a source that is read: the known range or, if reads are relevant, the recorded
+ * range. */
 static struct range range_read(const struct inspection *inspection,
                                const struct inspector *inspector, uint32_t source) {
     const redcc_extent known = inspection->call->request.known[source];
@@ -112,7 +113,7 @@ static void end_run(struct inspection *inspection, struct inspector *inspector,
     worker->last = 0;
 }
 
-/* A range, and the free gap around it, up to the nearest other ranges. */
+/* A range, and the free addresses around it, up to the nearest other ranges. */
 struct gap {
     struct range range, free;
 };
@@ -144,7 +145,8 @@ static redcc_owner window_of(struct range range) {
     return (redcc_owner){.first = (const char *)range.first, .size = range.end - range.first};
 }
 
-/* Cuts clear ranges after a window has grown into them: each keeps the side with its read range. */
+/* Cuts clear ranges after a window has grown into them. Each keeps the side that contains its read
+ * range. */
 static void clear_of(struct inspection *inspection, struct inspector *inspector,
                      struct range window) {
     for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {

@@ -19,7 +19,8 @@ void redcc_inspection_set_owners(struct inspection *inspection) {
                                        : (uint32_t)call->planned * each;
 }
 
-/* The maximum number of owners: auto may choose stealable blocks after the cut. */
+/* The maximum number of owners. With auto this includes stealable blocks, because auto may choose
+ * them after the cut. */
 static uint32_t most_owners(const struct call *call) {
     const uint32_t threads = (uint32_t)call->planned;
     if (!call->method)
@@ -29,8 +30,8 @@ static uint32_t most_owners(const struct call *call) {
     return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/* Begins a partition. If threads find their iterations during execution, the owners of an earlier
- * execution are reused: the result does not depend on the owners. */
+/* Begins a partition. If threads find their iterations during execution, reuses the owners of an
+ * earlier execution, because the result does not depend on the owners. */
 static bool begin_partition(struct inspection *inspection, bool is_direct) {
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;
@@ -79,7 +80,7 @@ void redcc_inspection_end(struct inspection *inspection) {
     }
     redcc_divide_end(&inspection->divide);
     redcc_levels_end(&inspection->levels);
-    redcc_memory_free(inspection->whole.cut); /* the partition owns its other memory */
+    redcc_memory_free(inspection->whole.cut); /* inspection->partition owns its other memory */
     inspection->whole = (struct partition){0};
     if (inspection->partition.share == 0)
         redcc_partition_end(&inspection->partition);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The access log: a sweep that stores all touches. From the log, owners are cut
- * (ownership/graph/divide.h) or iterations are assigned to levels (ownership/graph/levels.h). Units
+/** The access log: a sweep that stores all touches. The log is used to choose owners
+ * (ownership/graph/divide.h) or to assign iterations to levels (ownership/graph/levels.h). Units
  * are numbered before the sweep, over a range slightly larger than that of the sample. If a touch
- * lies outside, the sweep is repeated with the extents found. */
+ * lies outside of this range, the sweep is repeated with the range that it found. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
@@ -10,8 +10,8 @@
 #include <assert.h>
 #include <string.h>
 
-/* The approximate number of touches per iteration of the leading or of further groups, according to
- * the sample. */
+/* The approximate number of touches per iteration according to the sample: those of the leading
+ * group, or those of the other groups. */
 static double touches_an_iteration(const struct inspection *inspection, bool leading) {
     const struct partition *partition = &inspection->partition;
     double touches = 0, iterations = 1;
@@ -25,7 +25,7 @@ static double touches_an_iteration(const struct inspection *inspection, bool lea
     return touches / iterations;
 }
 
-/* The approximate number of these touches in one thread's share. */
+/* The approximate number of these touches in the iterations of one thread's share. */
 static size_t expected_touches(const struct inspection *inspection,
                                const struct inspector *inspector, bool leading) {
     const double share =

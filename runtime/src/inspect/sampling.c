@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sample of the iterations, by which the arrays are cut among the owners. */
+/** The sample of the iterations, from which the cuts between the owners are chosen. */
 #include "inspect/inspection.h"
 
 #include <assert.h>
@@ -15,37 +15,38 @@
  * owner checks are slower. */
 #define WORTH_A_MAP 0.9
 
-/* Seconds that a sample's iterations take in the loop, at most. Recording them and estimating from
- * them takes about ten times as long. `auto` expects a sample to take 0.4 ms, threads included. */
+/* The iterations of a sample take at most this time in the loop, in seconds. Recording them and
+ * computing estimates takes about ten times as long. `auto` expects a sample to take 0.4 ms,
+ * including all threads. */
 #define SAMPLED_SECONDS 25e-6
 
 enum {
-    SAMPLED_FOR_AN_OWNER = 512, /* maximum iterations per owner, of all threads */
-    /* iterations per owner: the minimum of a sample, if time permits; the maximum if one thread
-     * takes it only for an estimate */
+    SAMPLED_FOR_AN_OWNER = 512, /* maximum number of iterations per owner, over all threads */
+    /* number of iterations per owner. This is the minimum of a sample, if time permits. It is the
+     * maximum if one thread takes the sample only for an estimate. */
     SAMPLED_FOR_A_LOOK = 128,
-    SAMPLED_OF = 16, /* one iteration in this many is sampled, within the limits: a larger sample of
-                        a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128,   /* the same for an estimate, for which fewer are taken, because iterations
-                             of a short loop may be heavy */
-    LOOKED_AT_LEAST = 16, /* minimum iterations per owner for an estimate */
-    SAMPLED_MOST = 8192,  /* maximum number of iterations */
-    SAMPLED_TOUCHES = 32768,                    /* touches kept, with few owners */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* touches kept per owner, with many owners */
+    SAMPLED_OF = 16,    /* one iteration in this many is sampled, within the other limits, because a
+                           larger sample of a short loop would cost as much as the loop */
+    LOOKED_AT_OF = 128, /* as SAMPLED_OF, for a sample that is only an estimate. It has fewer
+                           iterations, because those of a short loop may be heavy */
+    LOOKED_AT_LEAST = 16,            /* minimum number of iterations per owner for an estimate */
+    SAMPLED_MOST = 8192,             /* maximum number of iterations */
+    SAMPLED_TOUCHES = 32768,         /* number of touches kept if there are few owners */
+    SAMPLED_TOUCHES_AN_OWNER = 2048, /* number of touches kept per owner if there are many owners */
     SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* maximum number of touches kept */
-    ROWS_OF_A_TOUCH = 64                        /* maximum number of sampled rows of a touch */
+    ROWS_OF_A_TOUCH = 64 /* maximum number of rows that are sampled of one touch */
 };
 
-/* Is the sample only an estimate for tiles, which have no owners? */
+/* Is the sample taken only to estimate tiles, which have no owners? */
 static bool is_for_tiles(const struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
     return !inspection->call->method && request->loop->flags & REDCC_TILES &&
            redcc_can_be_tiled(request->trip);
 }
 
-/* The number of iterations, between few / 2 and `most`, that fit in the sample's time; `most`
- * unless the order is serial. Heavy iterations have many touches, so fewer of them give as much
- * information. */
+/* The number of iterations, at least few / 2 and at most `most`, that fit into the sample's time.
+ * If the order is not serial, it is `most`, because the time may not affect the result. Heavy
+ * iterations have many touches, so fewer of them give as much information. */
 static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
     const double usual = inspection->pace.usual;
     if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)
@@ -54,8 +55,8 @@ static redcc_int in_time(const struct inspection *inspection, redcc_int few, red
 }
 
 /* Iterations 0, stride, 2 stride, ... are sampled, for any number of threads. The stride is odd,
- * because an even one might always select the same corner of an element. The sample is small,
- * because sorting more touches than the owners need would cost more than the sweep of all
+ * because an even stride might always select the same corner of a finite element. The sample is
+ * small, because sorting more touches than the owners need would cost more than the sweep of all
  * iterations. */
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
@@ -78,10 +79,8 @@ static redcc_int sampled_before(const struct inspection *inspection,
     return (redcc_own_begin(inspection, inspector) + stride - 1) / stride;
 }
 
-/* The number of touches to keep: the evenness of cuts is limited by the number of touches. (If
- * results must not depend on the number of threads, each thread has space for all touches, so these
- * are few.)
- */
+/* The number of touches to keep: more touches make the cuts more even. (If results must not depend
+ * on the number of threads, each thread needs space for all touches, so their number is small.) */
 static size_t touches_to_keep(const struct inspection *inspection) {
     if (inspection->call->method && inspection->call->method->keeps == REDCC_ORDER_FIXED)
         return SAMPLED_TOUCHES;
@@ -90,8 +89,9 @@ static size_t touches_to_keep(const struct inspection *inspection) {
     return most < SAMPLED_TOUCHES ? SAMPLED_TOUCHES : most;
 }
 
-/* The space of a thread's sample. If results must not depend on the number of threads, it is enough
- * for all touches of its share that may be kept in the end. */
+/* The number of touches for which a thread's sample has space. If results must not depend on the
+ * number of threads, it suffices for all touches of the thread's share that may be kept in the end.
+ */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
     const size_t all = inspection->partition.share > 0 ? 1 : touches_to_keep(inspection);
@@ -119,7 +119,7 @@ static bool begin_sample(const struct inspection *inspection, struct inspector *
 void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector) {
     inspector->failed = !begin_sample(inspection, inspector);
     inspector->timing = (struct slice_timing){0};
-    /* its own share, of which nothing is swept yet */
+    /* the thread's own share, of which nothing is swept yet */
     inspector->next = redcc_own_begin(inspection, inspector);
     inspector->at = sample_stride(inspection) * sampled_before(inspection, inspector);
 }
@@ -167,7 +167,8 @@ void redcc_sample_take(const struct inspection *inspection, struct inspector *in
     }
 }
 
-/* After groups were merged: merges each thread's ranges of these groups. */
+/* Called after groups were merged: merges the ranges that each thread has touched of these groups.
+ */
 static void regroup_seen(struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
@@ -182,15 +183,16 @@ static void regroup_seen(struct inspection *inspection) {
     }
 }
 
-/* Sets the known ranges of sources; the sweep records the others. */
+/* Sets the ranges of the sources that are known before the inspection. The sweep records the
+ * others. */
 static void place_known_sources(struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++)
         inspection->sources[s] = redcc_range_of(request->known[s]);
 }
 
-/* Computes owners by majority votes, for threads that find their iterations during execution; keeps
- * their map if it is better. False: out of memory. */
+/* Computes owners by majority votes, for threads that find their iterations during execution. Keeps
+ * the map of these owners if it is better than the cuts. False: out of memory. */
 static bool compare_votes(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;
@@ -227,8 +229,8 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     return true;
 }
 
-/* Thins the samples so that an item represents the same number of touches in each, and all together
- * have at most touches_to_keep items. */
+/* Thins the samples. Then an item represents the same number of touches in each sample, and all
+ * samples together have at most touches_to_keep items. */
 static void thin_samples(struct inspection *inspection) {
     struct inspector *const *inspector = inspection->inspector;
     uint64_t keep_each = 1;

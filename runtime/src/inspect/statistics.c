@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Statistics of the whole loop from the access summaries. */
+/** Statistics of all iterations of the loop, computed from the access summaries. */
 #include "inspect/inspection.h"
 
 #include <assert.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Times the slice, after the sample: a slice such as the search of a nearest centre may take
+/** Times the slice, after the sample. A slice, such as the search of a nearest centre, may take
  * longer than the updates. */
 #include "inspect/inspection.h"
 
@@ -8,12 +8,14 @@
 #include <assert.h>
 
 enum {
-    TIMED = 16, /* iterations per thread, so few that their data stay in the caches */
-    PASSES = 3  /* passes over these: the first loads their data, another may be interrupted */
+    TIMED =
+        16, /* number of timed iterations per thread, so few that their data stay in the caches */
+    PASSES = 3 /* number of passes over these iterations: the first pass loads their data, and one
+                  of the others may be interrupted */
 };
 
-/* Do auto's estimates need the time of the slice? No if owners are kept, or after a dry run, which
- * was timed itself. */
+/* Do auto's estimates need the time of the slice? No if owners are kept from an earlier execution,
+ * or after a dry run, whose time is known. */
 static bool is_wanted(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     return !call->method && !call->in_bins && inspection->partition.share == 0 &&

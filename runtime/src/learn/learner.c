@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Decisions: the actions that a loop can afford, and the one it takes. outcome.c processes the
- *  results. */
+/** Decisions: which actions a loop can afford, and which of them it takes. outcome.c processes the
+ * results. */
 #include "learn/learner.h"
 
 #include <assert.h>
 
 /* ---- affordable actions ---------------------------------------------------------------------- */
 
-/* A loop at trip counts of one size, in a call. */
+/* What a decision depends on: the loop at trip counts of one size, and the call. */
 struct choice {
     struct ledger *ledger;
     struct size_state *size;
@@ -30,7 +30,7 @@ static double most_of(double a, double b) {
     return a > b ? a : b;
 }
 
-/* Seconds of a sequential execution. */
+/* Seconds of an execution of the sequential loop. */
 static double usual_of(const struct choice *c) {
     return redcc_usual(c->size) * (double)c->now->trip;
 }
@@ -45,7 +45,7 @@ static bool is_clear(const struct choice *c, enum way way) {
     return redcc_expected(c->size, way) < LEARN_CLEAR * redcc_usual(c->size);
 }
 
-/* Seconds that this strategy may lose now, in addition to the risk of one execution. */
+/* The seconds that this strategy may lose now, beyond the risk of one execution. */
 static double room_for(const struct choice *c, enum way way) {
     const double risk = is_trial(c, way) ? LEARN_SHARE : is_clear(c, way) ? 0 : LEARN_RISK;
     const bool may_overdraw = redcc_is_planned(way) || (way == WAY_DIRECT && c->now->in_tiles);
@@ -54,7 +54,8 @@ static double room_for(const struct choice *c, enum way way) {
 }
 
 /* A strategy that is clearly faster may run while the credit is negative, because it repays the
- * debt. Its executions since then together must have gained; one slow execution does not end it. */
+ * debt. Since the credit became negative, its executions together must have gained time; one slow
+ * execution does not end its use. */
 static bool may_execute(const struct choice *c, enum way way) {
     const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
     return repays || room_for(c, way) >= 0;
@@ -66,8 +67,9 @@ static bool fits(const struct choice *c, enum way way) {
             (c->size->arm[way].possible && room_for(c, way) >= c->now->start));
 }
 
-/* Of the strategies available in this call, the one with the least expected time below `current`
- * seconds per iteration. guessed: of those that only a trial can evaluate. */
+/* The strategy available in this call with the least expected time, if that is below `current`
+ * seconds per iteration; otherwise WAY_SEQUENTIAL. `guessed`: only strategies that need a trial to
+ * be evaluated; otherwise only the others. */
 static enum way ready_way(const struct choice *c, double current, bool guessed) {
     enum way best = WAY_SEQUENTIAL;
     double least = LEARN_BETTER * current;
@@ -80,7 +82,7 @@ static enum way ready_way(const struct choice *c, double current, bool guessed) 
     return best;
 }
 
-/* Are the subscripts new, as far as is known; and are they likely to stay? */
+/* are_new: are the subscripts new, as far as is known? are_stable: are they likely to stay? */
 static bool are_new(const struct choice *c) {
     return !c->now->verified && c->now->steady < LEARN_STABLE / 2;
 }
@@ -90,9 +92,8 @@ static bool are_stable(const struct choice *c) {
 }
 
 /* Remaining seconds of a plan construction, including starting threads. At least half of the
- * inspection's cost, without its dry run and waits, is assumed to remain. For a plan whose
- * subscripts are new in each call, the slice must not be assumed to be cheaper than the body.
- */
+ * inspection's cost, without its dry run and waits, is assumed to remain. If the subscripts are new
+ * in each call, the slice is not assumed to be cheaper than the body. */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
     const double all = it->learned > 0 ? it->learned : it->set_up;
@@ -101,10 +102,10 @@ static double cost_of(const struct choice *c, enum way way) {
     return left + c->now->start + (counts_body ? usual_of(c) / c->now->threads : 0);
 }
 
-/* The expected number of executions by a plan constructed now: as many as there were so far (rent
- * or buy), or only this one if the subscripts are new. If changed subscripts ended earlier plans,
- * the present ones are expected to last as long as the last plan's, or an eighth of the calls
- * since. If they have lasted longer already, they are expected to last as long again. */
+/* The expected number of executions with a plan constructed now. It is as many as there were so far
+ * (the rent-or-buy rule), or only this one if the subscripts are new. If changed subscripts ended
+ * earlier plans, the present ones are expected to last as long as the last plan's, or an eighth of
+ * the calls since. If they have lasted longer already, they are expected to last as long again. */
 static double horizon_of(const struct choice *c) {
     const struct set_ups *it = &c->size->set_ups;
     if (it->lifetime == 0)
@@ -115,29 +116,29 @@ static double horizon_of(const struct choice *c) {
     return (double)(life > age ? life - age : age);
 }
 
-/* Rent or buy: has the sequential time since the last plan construction reached the required
- * multiple of `seconds`? */
+/* The rent-or-buy rule: has the sequential time since the last plan construction reached the
+ * required multiple of `seconds`? */
 static bool has_waited_for(const struct choice *c, double seconds) {
     return seconds * redcc_factor(&c->size->set_ups) <= c->size->set_ups.since;
 }
 
-/* Does the credit cover the plan construction, has it waited long enough, and does it pay? */
+/* Does the credit cover the plan construction, and has the loop waited long enough for it? */
 static bool is_affordable(const struct choice *c, enum way way) {
     const double all = c->now->spent + cost_of(c, way);
     return all <= room_for(c, way) && has_waited_for(c, all);
 }
 
-/* May an overdraft be allowed, or the present one be extended? Only in PHASE_SAVING without a debt,
- * and not after a plan construction that did not earn its cost. */
+/* May an overdraft be allowed, or the present one be extended? Only in PHASE_SAVING and without a
+ * debt, and not after a plan construction that did not recover its cost. */
 static bool can_overdraw(const struct choice *c) {
     return c->size->phase == PHASE_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
            (c->ledger->overdraft > 0 || credit_of(c->ledger) >= 0);
 }
 
-/* Do two executions repay the plan construction, or half as many as its subscripts have lasted? If
- * the subscripts may change, the first execution must repay it. If samples may have missed a
- * change, the plan may be used only once; then the loss must be within a share of the time so far.
- */
+/* Do two executions repay the plan construction, or half as many executions as its subscripts have
+ * lasted? If the subscripts may change, the first execution must repay it. If samples may have
+ * missed a change, the plan may be used only once; then the loss must be within a share of the time
+ * so far. */
 static bool is_worth_overdraft(const struct choice *c, enum way way) {
     const double usual = usual_of(c), set_up = cost_of(c, way);
     const double gained = usual - redcc_expected(c->size, way) * (double)c->now->trip;
@@ -150,8 +151,8 @@ static bool is_worth_overdraft(const struct choice *c, enum way way) {
 
 typedef bool allows(const struct choice *, enum way);
 
-/* Of the allowed plans that take less than `current` seconds per iteration, the one that is
- * cheapest over `executions` executions, including its construction. */
+/* The cheapest of the allowed plans over `executions` executions, including its construction. It
+ * must take less than `current` seconds per iteration; otherwise the result is WAY_SEQUENTIAL. */
 static enum way best_plan(const struct choice *c, double current, double executions,
                           allows *is_allowed) {
     enum way best = WAY_SEQUENTIAL;
@@ -171,14 +172,14 @@ static enum way affordable_way(const struct choice *c, double current) {
     return best_plan(c, current, horizon_of(c), is_affordable);
 }
 
-/* Can the loop be executed by owners without a plan, with any subscripts? */
+/* Can the loop be executed without a plan (WAY_DIRECT), whatever its subscripts are? */
 static bool goes_without_plan(const struct choice *c) {
     return c->now->kept[WAY_DIRECT] == KEPT_FITS && !c->size->arm[WAY_DIRECT].ruled_out;
 }
 
-/* Seconds that a sample takes. Until a dry run was timed, it is assumed to take an execution, or a
- * 16th of one in a loop that needs no plan. (0.05 was measured in loops over blocks.) A deadline
- * ends a longer one. */
+/* Seconds that a sample takes. Until a dry run was timed, it is assumed to take as long as an
+ * execution. In a loop that needs no plan, it is assumed to take a 16th of that. (0.05 was measured
+ * in loops over blocks.) A deadline ends a longer dry run. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
     const double dry =
@@ -204,15 +205,15 @@ static struct decision reuse(const struct choice *c, enum way way, enum rule rul
     return decision;
 }
 
-/* Sets an overdraft, or extends it, to `seconds`. Its spent part remains a debt. */
+/* Sets the overdraft to `seconds`, or extends it. The part that was spent remains a debt. */
 static void allow_overdraft(const struct choice *c, double seconds) {
     c->ledger->overdraft = most_of(c->ledger->overdraft, seconds);
 }
 
-/* A plan construction within an overdraft or the credit, for a strategy better than `current`
- * seconds per iteration, if there is one. The overdraft covers twice the cost of the construction,
- * and a fraction of an execution, since threads may not get a core at once. It is at most
- * LEARN_OVERDRAFT executions. */
+/* Decides for a plan construction within an overdraft or the credit, if there is a strategy that
+ * takes less than `current` seconds per iteration. The overdraft covers twice the cost of the
+ * construction, and a fraction of an execution, because threads may not get a core at once. It is
+ * at most LEARN_OVERDRAFT executions. */
 static struct decision set_up(const struct choice *c, double current) {
     const double usual = usual_of(c);
     enum way way = can_overdraw(c)
@@ -233,10 +234,10 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* Takes a sample. All threads take part if the subscripts are likely to stay, or no plan is needed,
- * and if the credit covers starting the threads: a plan construction can then follow at once. An
- * overdraft covers this if it is small compared with an execution. Otherwise one thread takes the
- * sample and waits for no other: most light loops turn out not to be worth more. */
+/* Takes a sample. All threads take part if the subscripts are likely to stay or no plan is needed,
+ * and if the credit covers starting the threads. A plan construction can then follow immediately.
+ * An overdraft covers the cost if it is small compared with an execution. Otherwise one thread
+ * takes the sample and waits for no other: most light loops turn out not to be worth more. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;
@@ -282,8 +283,9 @@ bool redcc_goes_at_once(const struct situation *now) {
 /* Are bins tried before any inspection? They are if the loop cannot be inspected, or if an
  * inspection begins with a dry run, which may take as long as the loop. They are also if iterations
  * are so heavy that an inspection may take longer than a trial of bins may lose. Heavy iterations
- * have inner loops, and the inspection records all rows that these touch (for tiles only the first
- * and the last). The first execution may be a trial that times the sequential loop as well. */
+ * have inner loops, and the inspection records all rows that the inner loops touch (for tiles, only
+ * the first and the last row). The first execution may be a trial that times the sequential loop as
+ * well. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     const double usual = redcc_usual(c->size);
@@ -303,16 +305,16 @@ static struct decision try_first(const struct choice *c) {
 }
 
 /* Are tiles tried without a sample? They compute each pair once, whatever the subscripts are, so a
- * sample would show nothing more. If they failed or a guard forbade them, a sample is taken after
- * the back-off. */
+ * sample would show nothing more. If tiles have failed or a guard has forbidden them, a sample is
+ * taken after the back-off. */
 static bool goes_in_tiles(const struct choice *c) {
     return c->now->in_tiles && c->now->threads > 1 && !c->now->dry_run &&
            c->size->back_off.length == 0 && goes_without_plan(c);
 }
 
-/* An overdraft covers starting the threads if the first execution is expected to repay it. A first
- * execution is slow, so the overdraft also covers a fraction of it or, if the loop is not new, all
- * of it. */
+/* An overdraft covers starting the threads if the first execution is expected to repay it. The
+ * first parallel execution is slow, so the overdraft also covers a fraction of it or, if the loop
+ * is not new, all of it. */
 static struct decision try_tiles(const struct choice *c) {
     const double usual = redcc_usual(c->size), each = LEARN_CONTENDED / c->now->threads * usual;
     const double gained = (usual - each) * (double)c->now->trip;
@@ -326,7 +328,8 @@ static struct decision try_tiles(const struct choice *c) {
     return fits(c, WAY_DIRECT) ? take_up(c, WAY_DIRECT) : sequentially(c, RULE_SAVING);
 }
 
-/* A strategy that only a trial can evaluate is tried if no other is available. */
+/* The decision in PHASE_SAVING. A strategy that only a trial can evaluate is tried if no other is
+ * available. */
 static struct decision decide_saving(const struct choice *c) {
     const double usual = redcc_usual(c->size);
     const enum way ready = ready_way(c, usual, false);
@@ -345,8 +348,8 @@ static struct decision decide_saving(const struct choice *c) {
                : decision;
 }
 
-/* No plan of the strategy in use fits this call: its overdraft is still owed, but no more of it may
- * be spent. */
+/* Called if no plan of the strategy in use fits this call. Its overdraft is still owed, but no more
+ * of it may be spent. */
 static struct decision leave_plan(const struct choice *c) {
     c->size->phase = PHASE_SAVING;
     c->ledger->overdraft = 0;
@@ -365,9 +368,9 @@ static struct decision decide_comparing(const struct choice *c) {
 }
 
 /* Must the sequential loop be timed again? It must when so much time has passed that timing it
- * costs half of the share. Each of the first three checks in which the plan was faster halves that
- * fraction. If only the first execution was timed, a check is due four times as early, since page
- * faults make that one slow. */
+ * costs at most half of LEARN_SHARE. Each of the first three checks in which the plan was faster
+ * halves this fraction. If only the first execution was timed, a check is due four times as early,
+ * because page faults make the first execution slow. */
 static bool is_check_due(const struct choice *c) {
     const double more = redcc_usual(c->size) - redcc_expected(c->size, c->size->way);
     const double half = 2 / LEARN_SHARE;
@@ -376,9 +379,9 @@ static bool is_check_due(const struct choice *c) {
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* Is a sample taken while a strategy is in use that was tried before any sample? It need not be the
- * best one. The execution after a sample is sequential; the gain that it loses is part of the cost,
- * which a share of the time since the last plan construction must cover. */
+/* If the strategy in use was tried before any sample, should a sample be taken now? There may be a
+ * better strategy. The execution after the sample is sequential. The gain that this execution loses
+ * is part of the cost, which a share of the time since the last plan construction must cover. */
 static bool looks_for_more(const struct choice *c, double current) {
     const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
     const double cost = look_of(c) + most_of(lost, 0);
@@ -413,8 +416,8 @@ static struct decision decide_parallel(const struct choice *c) {
     return reuse(c, c->size->way, RULE_FASTER);
 }
 
-/* Of the strategies available in this call, the fastest in its last executions; one without plans
- * only if it was faster than the sequential loop. */
+/* Among the strategies available in this call, the one that was fastest in its last executions. A
+ * strategy without plans counts only if it was faster than the sequential loop. */
 static enum way fastest_known(const struct choice *c) {
     enum way best = WAY_SEQUENTIAL;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
@@ -426,8 +429,8 @@ static enum way fastest_known(const struct choice *c) {
     return best;
 }
 
-/* Ends a back-off, since its reason may no longer hold: compares the fastest known strategy again
- * if it was slower; otherwise discards the estimates. */
+/* Ends a back-off, because its reason may no longer hold. If the fastest known strategy was slower,
+ * compares it again; otherwise discards the estimates. */
 static void end_back_off(const struct choice *c) {
     const bool was_slower = c->size->rule == RULE_SLOWER;
     c->size->phase = PHASE_SAVING;
@@ -492,7 +495,8 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
     return true;
 }
 
-/* With another number of threads, the state of the size is reset. */
+/* Counts the call and decides. If the number of threads has changed, first resets the state of the
+ * size. */
 static struct decision take_call(const struct choice *c) {
     if (c->size->threads > 0 && c->size->threads != c->now->threads)
         *c->size = (struct size_state){0};
@@ -508,7 +512,8 @@ struct decision redcc_decide(struct choice_state *state, const struct situation 
 }
 
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now) {
-    struct size_state size = *redcc_size_of(state, now->trip); /* copies: nothing is decided yet */
+    struct size_state size =
+        *redcc_size_of(state, now->trip); /* on copies, because nothing is decided yet */
     struct ledger ledger = state->ledger;
     const bool as_before = size.threads == 0 || size.threads == now->threads;
     if (size.sequential.count > 0 &&
@@ -520,7 +525,8 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
                                                 : REACH_TEAM;
 }
 
-/* Is no possible plan expected to be faster than `than`, whatever its construction costs? */
+/* Is no possible plan expected to be faster than strategy `than`, whatever its construction costs?
+ */
 static bool no_plan_is_faster(const struct choice *c, enum way than) {
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
         if (c->size->arm[way].possible &&

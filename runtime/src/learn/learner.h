@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The choice of a strategy for executing a loop, as an online decision with a bound (derived in
- * docs/choosing.md): a bandit whose arms are the strategies of base/way.h.
+ * Chooses a strategy for executing a loop, as an online decision with a bound, which
+ * docs/choosing.md derives. It is a multi-armed bandit whose arms are the strategies of base/way.h.
  *
  *     redcc_decide     the action in this call: the sequential loop, an inspection, a strategy
  *     redcc_pick_way   within an inspection, with estimates: the strategy, if any
  *     redcc_observe    the result of the action, and its time
  *
- * No clock, no threads, no allocation: times come with the observations. Any action that may take
- * longer than the sequential loop is paid from the credit. The credit is a 32nd of the loop's time
- * so far, past gains, and one overdraft at a time, for a plan that is expected to repay it soon.
- * Used by one thread at a time.
+ * The learner uses no clock, no threads and no memory of its own: times come with the observations.
+ * Any action that may take longer than the sequential loop is paid from the credit. The credit is a
+ * 32nd of the loop's time so far, plus past gains, plus at most one overdraft. An overdraft is
+ * allowed for a plan that is expected to repay it soon. One thread at a time decides for a loop.
  */
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H
@@ -22,160 +22,174 @@
 
 #include <stdbool.h>
 
-/** The last three executions, seconds per iteration. */
+/** The times of the last three executions, in seconds per iteration. */
 struct timings {
     double recent[3];
     long count;
 };
 
-/** Estimates and measurements of a strategy. */
+/** What is estimated and measured of a strategy. */
 struct arm {
     bool possible;
-    bool ruled_out;   /**< a trial failed: not available until the loop's back-off ends */
-    bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
-    double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
-    double learned;   /**< measured seconds of the same, or a lower bound; 0: none */
+    bool ruled_out; /**< a trial failed, so that the strategy is not available until the loop's
+                       back-off ends */
+    bool guessed;   /**< `execution` is only a lower bound, and a trial is needed to determine it */
+    double set_up;  /**< seconds of an inspection and a plan construction, including the sample;
+                       estimated */
+    double learned; /**< `set_up` as measured, or a lower bound of it; 0: not measured */
     double execution; /**< seconds per iteration, including the check of a kept plan; estimated */
-    struct timings timed; /**< the measured executions */
+    struct timings timed; /**< the times of measured executions */
 };
 
-/** Is there a kept plan for this call? A strategy without plans fits if the loop has a form for it,
- * and is usually tried only if a sample suggested that it may pay. */
+/** Is there a kept plan for this call? A strategy without plans always fits if the loop has a form
+ * for it; it is usually tried only if a sample suggests that it may pay. */
 enum kept_match {
     KEPT_NONE,
-    KEPT_CHANGED, /**< one for other subscripts, according to a sample */
-    KEPT_FITS     /**< according to everything but the full contents of the subscripts */
+    KEPT_CHANGED, /**< there is one for other subscripts, according to a sample */
+    KEPT_FITS /**< there is one that fits in everything that was compared, which is all but the full
+                 contents of the subscripts */
 };
 
-/** A call. */
+/** What is known about a call when a decision is made. */
 struct situation {
-    long long trip; /**< iterations */
-    int threads;    /**< threads that would execute these */
-    double wake;    /**< measured seconds to wake them */
-    double start; /**< seconds to start the missing ones, or a lower bound (redcc_reach); 0: none is
-                     missing */
-    double spent; /**< seconds of the current inspection so far */
-    double dried; /**< of `spent`: seconds of the dry run */
-    double awaited; /**< of `spent`: seconds of waiting for threads that had to be started */
+    long long trip; /**< number of iterations */
+    int threads;    /**< number of threads that would execute them */
+    double wake;    /**< measured seconds to wake these threads */
+    double start;   /**< seconds to start the threads that do not exist yet, or a lower bound
+                       (redcc_reach); 0: all exist */
+    double spent;   /**< seconds of the current inspection so far */
+    double dried;   /**< the part of `spent` that the dry run took */
+    double awaited; /**< the part of `spent` that was spent waiting for threads that had to be
+                       started */
     enum kept_match kept[WAY_COUNT];
-    int steady;     /**< consecutive calls whose sampled subscripts were those of one of the last
-                     * calls; -1: unknown */
-    bool verified;  /**< all subscripts were compared with those of the preceding call: they are
-                     * equal */
-    bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
+    int steady; /**< number of consecutive calls whose sampled subscripts were those of one of the
+                   last calls; -1: unknown */
+    bool verified; /**< all subscripts were compared with those of the call before, and are equal */
+    bool dry_run;  /**< an inspection begins with a dry run, which may take as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
-    bool begun;     /**< the call is the rest of the first execution, whose first iterations were
-                       timed in order: a strategy that pays in this call alone is not delayed */
-    bool tiled;     /**< the inspection is short: a loop over pairs, or REDCC_BLOCKS */
-    bool in_tiles;  /**< the loop may be cut into tiles, so that WAY_DIRECT needs no estimate */
+    bool begun; /**< the call is the rest of the first execution, whose first iterations were timed
+                   in order; a strategy that pays in this call alone is not delayed */
+    bool tiled; /**< the inspection is short, because the loop is over pairs or has REDCC_BLOCKS */
+    bool in_tiles; /**< the loop may be cut into tiles, so that WAY_DIRECT needs no estimate */
 };
 
 enum action {
-    ACTION_SEQUENTIAL, /**< the original loop */
-    ACTION_INSPECT,    /**< a sample, then as redcc_pick_way decides; alone: the sample only */
-    ACTION_REUSE       /**< a kept plan, of strategy `way`, or a strategy without one */
+    ACTION_SEQUENTIAL, /**< execute the original loop */
+    ACTION_INSPECT, /**< take a sample, then continue as redcc_pick_way decides; with `alone`, take
+                       the sample only */
+    ACTION_REUSE    /**< use a kept plan of strategy `way`, or a strategy without plans */
 };
 
 struct decision {
     enum action action;
     enum way way;
-    bool alone;      /**< INSPECT: one thread takes the sample, for redcc_note_arms */
-    bool timed;      /**< SEQUENTIAL: report its time to redcc_observe */
-    double deadline; /**< INSPECT: time limit of a dry run, in seconds; of redcc_pick_way: of the
-                      * plan construction */
-    double may_lose; /**< REUSE, of a strategy that can stop when it is slower: the seconds it may
-                      * lose; from -1 to below 0: a share of the sequential loop's time; 0:
-                      * no limit */
-    double earned;   /**< REUSE: seconds saved since the last plan construction, less its cost */
+    bool alone;      /**< with ACTION_INSPECT: one thread takes the sample, for redcc_note_arms */
+    bool timed;      /**< with ACTION_SEQUENTIAL: its time must be reported to redcc_observe */
+    double deadline; /**< with ACTION_INSPECT: time limit of a dry run, in seconds; from
+                        redcc_pick_way: time limit of the plan construction */
+    double may_lose; /**< with ACTION_REUSE of a strategy that can stop when it is slower: the
+                        seconds that it may lose; a value of -1 or above, but below 0, is a share of
+                        the sequential loop's time; 0: no limit */
+    double earned; /**< with ACTION_REUSE: seconds saved since the last plan construction, minus its
+                      cost */
     enum rule rule;
 };
 
 /** The result of a call. An inspection or a reuse that fails is followed by a sequential execution,
- *  which is reported as a separate result. A trial and the sequential rest of its execution are one
- *  result. */
+ * which is reported as a separate result. A trial and the part of its execution that runs
+ * sequentially are one result. */
 enum result {
     RESULT_SEQUENTIAL,
-    RESULT_PARALLEL,     /**< after a plan construction, if set_up > 0 */
-    RESULT_UNATTRACTIVE, /**< the inspection ended after its sample, by redcc_pick_way's decision */
-    RESULT_STOPPED,      /**< the inspection ended at its deadline */
-    RESULT_CHANGED,      /**< the kept plan's subscripts have changed */
-    RESULT_LEFT,         /**< a trial was slower than allowed; the rest ran sequentially */
-    RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: all strategies */
+    RESULT_PARALLEL,     /**< preceded by a plan construction if set_up > 0 */
+    RESULT_UNATTRACTIVE, /**< the inspection ended after its sample, because redcc_pick_way decided
+                            so */
+    RESULT_STOPPED,      /**< the inspection ended, because it reached its deadline */
+    RESULT_CHANGED,      /**< the subscripts of the kept plan have changed */
+    RESULT_LEFT, /**< a trial was slower than allowed, and the rest of the loop ran sequentially */
+    RESULT_REFUSED /**< a guard forbade the strategy, or there was no memory; WAY_SEQUENTIAL: this
+                      concerns all strategies */
 };
 
 struct outcome {
     enum result result;
     enum way way;
     long long trip;
-    double seconds; /**< the execution's time; for UNATTRACTIVE, STOPPED, CHANGED and REFUSED the
-                       lost time */
-    double set_up;  /**< PARALLEL with a new plan: seconds that its construction took */
-    double done;    /**< STOPPED: the completed fraction of the plan construction, 0 to 1 */
-    double usual; /**< trial: seconds per iteration of the sequential loop, timed within the trial;
-                     0: not timed */
-    long untimed; /**< SEQUENTIAL: untimed executions before it, assumed to take the same time */
+    double seconds; /**< the time of the execution; for RESULT_UNATTRACTIVE, _STOPPED, _CHANGED and
+                       _REFUSED, the lost time */
+    double set_up;  /**< with RESULT_PARALLEL: seconds that the construction of a new plan took; 0:
+                       the plan was not new */
+    double
+        done; /**< with RESULT_STOPPED: the completed fraction of the plan construction, 0 to 1 */
+    double usual; /**< in a trial: seconds per iteration of the sequential loop, timed within the
+                     trial; 0: not timed */
+    long untimed; /**< with RESULT_SEQUENTIAL: number of untimed executions before this one, which
+                     are assumed to take the same time */
 };
 
 /** The phase of a loop at trip counts of one size. */
 enum phase {
-    PHASE_SAVING,    /**< sequential, until the credit permits a trial */
-    PHASE_COMPARING, /**< two strategies alternate */
+    PHASE_SAVING,    /**< the loop is sequential until the credit permits a trial */
+    PHASE_COMPARING, /**< two strategies are executed alternately */
     PHASE_PARALLEL,  /**< a strategy is faster than the sequential loop */
-    PHASE_SHORT,     /**< too short to wake threads: exponential back-off, not timed */
-    PHASE_BACK_OFF   /**< sequential for some calls: exponential back-off */
+    PHASE_SHORT, /**< the loop is too short for waking threads: exponential back-off, without timing
+                  */
+    PHASE_BACK_OFF /**< the loop is sequential for some calls: exponential back-off */
 };
 
-/** Two strategies alternate, the contender first. */
+/** A comparison of two strategies, which alternate. The contender is executed first. */
 struct comparison {
     enum way contender, incumbent;
-    bool proven; /**< the contender is in use, and loses only after all pairs */
+    bool proven; /**< the contender is in use, and loses only after all pairs were timed */
     struct paired_timing pairs;
 };
 
-/** Plan constructions at one size. */
+/** The plan constructions at trip counts of one size. */
 struct set_ups {
-    double since;  /* seconds that the sequential loop took, or would have taken, since the last */
-    double factor; /* multiple of its estimated cost that `since` must reach for another; 0: the
-                      initial multiple */
-    double invested; /* seconds that the last one took */
-    double earned;   /* seconds that executions have saved since */
+    double since; /* seconds that the sequential loop has taken, or would have taken, since the last
+                     construction */
+    double factor;   /* multiple of its estimated cost that `since` must reach before another
+                        construction; 0: the initial multiple */
+    double invested; /* seconds that the last construction took */
+    double earned;   /* seconds that executions have saved since the last construction */
     int misses;    /* consecutive constructions whose plans were abandoned before they had saved as
                       much as they cost */
-    long begun;    /* the call that made the last one */
-    long uses;     /* parallel executions since */
-    long met;      /* consecutive calls before that one that had the same subscripts */
-    long lifetime; /* calls that the subscripts of the preceding plan lasted; 0: no plan ended by a
-                      change */
+    long begun;    /* number of the call that made the last construction */
+    long uses;     /* number of parallel executions since the last construction */
+    long met;      /* number of consecutive calls before the last construction that had the same
+                      subscripts */
+    long lifetime; /* number of calls for which the subscripts of the plan before lasted; 0: no plan
+                      has ended by a change */
 };
 
 struct size_state {
     enum phase phase;
     enum rule rule;
-    enum way way; /* PARALLEL: the strategy in use; BACK_OFF after a comparison: the contender */
+    enum way way; /* in PHASE_PARALLEL: the strategy in use; in PHASE_BACK_OFF after a comparison:
+                     the contender */
     int threads;
-    int steady;       /* situation.steady of the last call, at least 0 */
-    bool looked;      /* a sample was taken, so that the arms are known */
-    double look;      /* seconds that a sample took; 0: none was taken */
-    double looked_at; /* seconds per iteration of the sequential loop at the time of that sample */
-    double gained; /* seconds gained by strategies: in the last execution or, while there is a debt,
-                      since it began */
-    double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
-    int checks;       /* consecutive checks in which a plan was faster */
+    int steady;       /* situation.steady of the last call, or 0 if it was negative */
+    bool looked;      /* a sample was taken, so that estimates for all strategies are in `arm` */
+    double look;      /* seconds that the last sample took; 0: none was taken */
+    double looked_at; /* seconds per iteration of the sequential loop when that sample was taken */
+    double gained;    /* seconds gained by strategies in the last execution; while the credit is
+                         negative, since it became negative */
+    double unchecked; /* in PHASE_PARALLEL: seconds since the sequential loop was timed */
+    int checks;       /* number of consecutive checks in which a plan was faster */
     long calls;
     struct timings sequential;
     struct arm arm[WAY_COUNT];
     struct comparison comparison;
     struct set_ups set_ups;
-    struct back_off back_off; /* counts calls */
+    struct back_off back_off; /* counted in calls */
 };
 
-/** Seconds of all sizes. */
+/** The times of a loop over all sizes, in seconds. */
 struct ledger {
-    double sequential; /* that the sequential loop has taken, or would have */
-    double overhead;   /* seconds taken in addition; negative: gained */
-    double overdraft;  /* seconds that may be lost beyond the credit, until they are repaid or the
-                          plan fails */
+    double sequential; /* time that the sequential loop has taken, or would have taken */
+    double overhead;   /* time taken in addition to that; negative: time gained */
+    double overdraft;  /* time that may be lost beyond the credit, until it is repaid or the plan
+                          fails */
 };
 
 enum { REDCC_SIZES = 40 };
@@ -183,65 +197,67 @@ enum { REDCC_SIZES = 40 };
 /** The complete state of a loop; initially zero. */
 struct choice_state {
     struct ledger ledger;
-    struct size_state size[REDCC_SIZES]; /* by the logarithm of the trip count */
+    struct size_state size[REDCC_SIZES]; /* indexed by the base-2 logarithm of the trip count */
 };
 
-/** Is the loop left sequential in this call, within a back-off but not at its end? Then counts the
- *  call and sets *decision, without further information about the call. */
+/** Is the loop left sequential in this call, because a back-off is not near its end? If so, counts
+ * the call and sets *decision. This needs no further information about the call. */
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
                          struct decision *decision);
 
 /** The feasible actions in a call. */
 enum reach {
-    REACH_NOTHING, /**< the sequential loop */
-    REACH_LOOK,    /**< the sequential loop, or a sample by one thread */
-    REACH_TEAM     /**< threads may be woken */
+    REACH_NOTHING, /**< only the sequential loop */
+    REACH_LOOK,    /**< the sequential loop, or a sample taken by one thread */
+    REACH_TEAM     /**< any action, also with threads that must be woken */
 };
 
-/** May the first execution be a trial of bins, which times the sequential loop as well? */
+/** May the first execution be a trial of bins that times the sequential loop as well? */
 bool redcc_goes_at_once(const struct situation *now);
 
-/** The actions that a loop in PHASE_SAVING without a plan can afford; for other loops REACH_TEAM.
- * In *now, `start` is a lower bound, and `kept` is ignored except for strategies without plans. */
+/** The actions that a loop in PHASE_SAVING without a plan can afford. For other loops it is
+ * REACH_TEAM. In *now, `start` is a lower bound, and `kept` is ignored except for strategies
+ * without plans. */
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now);
 
-/** The action in a call. */
+/** Decides the action in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
 
-/** An inspection has sampled the loop (`spent` seconds so far): stores the arms [WAY_COUNT].
- * Returns the strategy whose plan construction pays and is within the credit, with its deadline
- * from now on. ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
+/** Called when an inspection has sampled the loop, which took `spent` seconds. Stores the estimates
+ * arm [WAY_COUNT]. Returns the strategy whose plan construction pays and is within the credit, with
+ * a deadline that begins now. ACTION_SEQUENTIAL: there is none, and the inspection ends
+ * (RESULT_UNATTRACTIVE). */
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct arm *arm, double spent);
 
-/** An inspection by one thread has sampled the loop, and ends here (RESULT_UNATTRACTIVE): stores
- *  the arms [WAY_COUNT]. */
+/** Called when one thread has sampled the loop in an inspection that then ends
+ * (RESULT_UNATTRACTIVE). Stores the estimates arm [WAY_COUNT]. */
 void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
                      double spent);
 
-/** The first `done` iterations of the loop's first execution were executed in order, in `seconds`;
- *  `rest` are left, to be decided next. */
+/** Records that the first `done` iterations of the loop's first execution were executed in order,
+ * in `seconds`. The other `rest` iterations are decided about next. */
 void redcc_note_begin(struct choice_state *state, long long rest, long long done, double seconds);
 
-/** Processes a result: for each decision exactly one with the chosen action, then, if that failed,
- *  another one of the sequential loop if it is timed. */
+/** Processes a result. Each decision needs exactly one call with the result of the chosen action.
+ * If that failed and the sequential loop is timed, another call has its result. */
 void redcc_observe(struct choice_state *state, const struct outcome *outcome);
 
-/** Seconds that may be lost now within the bound, including an overdraft; may be negative. */
+/** The seconds that may be lost now within the bound, including an overdraft. May be negative. */
 double redcc_credit(const struct choice_state *state);
 
-/** The state at trip counts of that size. */
+/** The state at trip counts of the size of `trip`. */
 const struct size_state *redcc_size_of(const struct choice_state *state, long long trip);
 
 /** Seconds per iteration: the median of the last three executions, so that one interruption has no
- * effect; the lower of two; 0: unknown. */
+ * effect. It is the lower of two times if there are only two, and 0 if there are none. */
 double redcc_typical(const struct timings *timings);
 
-/** The same for the sequential loop. */
+/** redcc_typical for the sequential loop. */
 double redcc_usual(const struct size_state *size);
 
-/** Seconds per iteration by that strategy. Estimates are scaled by the sequential loop's time,
- * since its first execution takes longer. */
+/** The expected seconds per iteration with that strategy. Estimates are scaled by the sequential
+ * loop's time, because the first execution, on which they are based, takes longer. */
 double redcc_expected(const struct size_state *size, enum way way);
 
 /** Is that strategy feasible, and worth a trial when an iteration takes `current` seconds? */
@@ -253,7 +269,7 @@ int redcc_misses(const struct set_ups *set_ups);
 /** The multiple of its cost that `since` must reach for another plan construction. */
 double redcc_factor(const struct set_ups *set_ups);
 
-/** The strategy to execute next. */
+/** The strategy to execute next in the comparison. */
 enum way redcc_arm_to_run(const struct comparison *comparison);
 
 /** Begins to compare two strategies. */

@@ -27,7 +27,7 @@ static void note_time(struct timings *it, double each) {
     it->recent[it->count++ % 3] = each;
 }
 
-/* The least of the last times of the sequential loop, since gains must not be overestimated. 0:
+/* The shortest of the last times of the sequential loop, so that gains are not overestimated. 0:
  * unknown. */
 static double least_of_last(const struct size_state *size) {
     double low = size->sequential.recent[0];
@@ -44,7 +44,7 @@ int redcc_misses(const struct set_ups *it) {
     return missed(it) ? it->misses + 1 : 0;
 }
 
-/* Each plan construction that did not pay doubles the factor, each that paid halves it. */
+/* Each plan construction that did not pay doubles the factor, and each one that paid halves it. */
 double redcc_factor(const struct set_ups *it) {
     const double now = it->factor > 0 ? it->factor : LEARN_FACTOR;
     if (it->invested == 0)
@@ -84,8 +84,8 @@ static void leave_back_off(struct size_state *size, enum phase phase) {
     size->phase = phase;
 }
 
-/* Rules out the strategy that failed. Is there another one that may be better than the sequential
- * loop? */
+/* Rules out the strategy that failed. Returns whether another strategy may be better than the
+ * sequential loop. */
 static bool another_may_do(struct size_state *size, enum way failed) {
     size->arm[failed].possible = false;
     size->arm[failed].ruled_out = true;
@@ -95,8 +95,8 @@ static bool another_may_do(struct size_state *size, enum way failed) {
     return false;
 }
 
-/* After a strategy without plans has failed, another one may still be tried; otherwise the loop
- * backs off. */
+/* Called after a strategy without plans has failed. Another one may still be tried; otherwise the
+ * loop backs off. */
 static void return_to_sequential(struct size_state *size, enum way way) {
     if (!redcc_is_planned(way) && another_may_do(size, way))
         leave_back_off(size, PHASE_SAVING);
@@ -137,11 +137,12 @@ enum way redcc_arm_to_run(const struct comparison *it) {
     return redcc_arm_of(it->pairs.timed) == 0 ? it->contender : it->incumbent;
 }
 
-/* usual: seconds per iteration of the sequential loop, as known in this execution. */
+/* Records a time in the comparison. `usual` is the sequential loop's time per iteration, as known
+ * in this execution. */
 static void count_in_comparison(struct size_state *size, enum way way, double each, double usual) {
     struct comparison *it = &size->comparison;
     if (way != redcc_arm_to_run(it))
-        return; /* for lack of credit, the loop ran sequentially */
+        return; /* the credit was too low, so that the loop ran sequentially */
     redcc_paired_note(&it->pairs, each);
     if (it->pairs.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);
@@ -149,7 +150,7 @@ static void count_in_comparison(struct size_state *size, enum way way, double ea
         settle(size, redcc_paired_winner(&it->pairs) == 0);
 }
 
-/* Do two timings differ by more than twice the noise? Then the machine's load has changed. */
+/* Do two times differ by more than twice the noise? If so, the load of the machine has changed. */
 static bool is_another(double before, double now) {
     return now * (1 + 2 * LEARN_NOISE) < before || now > (1 + 2 * LEARN_NOISE) * before;
 }
@@ -169,7 +170,7 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
     if (is_check && is_another(redcc_usual(size), each))
         timings->count = 0;
     note_time(timings, each);
-    if (size->calls < timings->count) /* timed before the loop had a state */
+    if (size->calls < timings->count) /* some were timed before the loop had a state */
         size->calls = timings->count;
     if (comparing)
         count_in_comparison(size, WAY_SEQUENTIAL, each, redcc_usual(size));
@@ -196,8 +197,9 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
     size->checks = 0;
 }
 
-/* The first execution by a new strategy starts threads and touches pages: its time counts in the
- * comparison only if it is clearly faster in spite of that. */
+/* Begins a comparison after the first execution of a new strategy. Starting threads and page faults
+ * slow this execution down. Its time counts in the comparison only if it is clearly faster
+ * nevertheless. */
 static void begin_trial(struct size_state *size, enum way way, double each, double usual) {
     const bool rival = size->phase == PHASE_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
@@ -205,7 +207,7 @@ static void begin_trial(struct size_state *size, enum way way, double each, doub
         count_in_comparison(size, way, each, usual);
 }
 
-/* Records an execution by a strategy. Returns the seconds that the sequential loop would have
+/* Records an execution of a strategy. Returns the seconds that the sequential loop would have
  * taken. */
 static double enter_in_ledger(struct choice_state *state, struct size_state *size,
                               const struct outcome *outcome) {
@@ -270,7 +272,7 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
     const double expected = whole > twice ? whole : twice;
-    if (outcome->way == WAY_SEQUENTIAL) { /* a sample, by its dry run */
+    if (outcome->way == WAY_SEQUENTIAL) { /* a sample was stopped, because of its dry run */
         size->look = expected > 2 * size->look ? expected : 2 * size->look;
         return;
     }
@@ -280,14 +282,14 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
         size->phase = PHASE_SAVING;
 }
 
-/* Is the cost of a refusal within the share? Then a guard may forbid the strategy in use now and
- * then. */
+/* Is the cost of a refusal within the share? If so, a guard may forbid the strategy in use
+ * occasionally. */
 static bool is_little(const struct size_state *size, const struct outcome *outcome) {
     return outcome->seconds <= LEARN_SHARE * redcc_usual(size) * (double)outcome->trip;
 }
 
-/* A strategy was ruled out by its sample or by a guard; REFUSED with way SEQUENTIAL rules out all.
- */
+/* A sample or a guard has ruled out a strategy. RESULT_REFUSED with WAY_SEQUENTIAL rules out all
+ * strategies. */
 static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
     const bool refused = outcome->result == RESULT_REFUSED;
     if (size->phase == PHASE_PARALLEL && size->way == outcome->way && is_little(size, outcome))
@@ -295,7 +297,7 @@ static void observe_refusal(struct size_state *size, const struct outcome *outco
     const bool another =
         another_may_do(size, outcome->way) && (!refused || outcome->way != WAY_SEQUENTIAL);
     if (size->phase == PHASE_PARALLEL && size->way != outcome->way) {
-        size->looked = true; /* no further sample is needed */
+        size->looked = true; /* prevents further samples */
         return;
     }
     if (another)
@@ -333,7 +335,7 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         state->ledger.overhead += outcome->seconds;
         failed = true;
     }
-    /* An overdraft is repaid, or its purpose has failed: no more of it may be spent. */
+    /* Is the overdraft repaid, or has its purpose failed? Then no more of it may be spent. */
     if (failed || size->phase == PHASE_BACK_OFF || redcc_credit(state) >= state->ledger.overdraft)
         state->ledger.overdraft = 0;
 }

@@ -1,27 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The paired comparison under noise: two arms alternate, so that both run under the same
- * conditions. The shortest time of each counts, because an interruption is no property of an arm.
+ * Compares two alternatives (arms) under noise. They alternate, so that both run under the same
+ * conditions. The shortest time of each arm counts, because an interruption is no property of an
+ * arm.
  */
 #ifndef REDCC_PAIRED_TIMING_H
 #define REDCC_PAIRED_TIMING_H
 
 enum { PAIRED_ARMS = 2 };
 
-/** Zero: nothing was timed. */
+/** The timings of a comparison. If it is zero, nothing was timed. */
 struct paired_timing {
     int timed;
-    double least[PAIRED_ARMS]; /**< seconds */
+    double least[PAIRED_ARMS]; /**< shortest time of each arm in seconds */
 };
 
-/** The arm to run after `timed` timings: 0, 1, 0, 1, ... */
+/** The arm to run after `timed` timings: arms 0 and 1 alternate. */
 int redcc_arm_of(int timed);
 
 /** Records the time of the current arm. */
 void redcc_paired_note(struct paired_timing *it, double seconds);
 
-/** The faster arm, if that is evident: after n rounds the other one takes longer by the n-th part
- *  of the noise, or the maximum number of rounds is reached. Else -1. */
+/** The faster arm, if that is evident, otherwise -1. It is evident if after n rounds the other arm
+ * takes longer by the n-th part of the noise, or if the maximum number of rounds is reached. */
 int redcc_paired_winner(const struct paired_timing *it);
 
 #endif

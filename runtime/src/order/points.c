@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { BITS = 20, MOST_DIMENSIONS = 3 }; /* BITS: per coordinate */
+enum { BITS = 20, MOST_DIMENSIONS = 3 }; /* BITS: number of bits per coordinate */
 
 struct stop {
     uint64_t along; /* the position along the curve */
@@ -32,7 +32,7 @@ static void transpose(uint32_t *x, int dimensions) {
             }
         }
     }
-    for (int i = 1; i < dimensions; i++) /* Gray code */
+    for (int i = 1; i < dimensions; i++) /* computes the Gray code */
         x[i] ^= x[i - 1];
     uint32_t turn = 0;
     for (uint32_t bit = 1u << (BITS - 1); bit > 1; bit >>= 1)
@@ -55,7 +55,7 @@ static uint64_t along_curve(uint32_t *x, int dimensions) {
 
 static uint32_t cell(double value, double least, double width) {
     const double cells = 1u << BITS, at = width > 0 ? (value - least) / width * cells : 0;
-    if (!(at > 0)) /* true also for NaN */
+    if (!(at > 0)) /* also true for NaN */
         return 0;
     return at < cells ? (uint32_t)at : (1u << BITS) - 1;
 }
@@ -67,8 +67,8 @@ static int by_place(const void *a, const void *b) {
     return (p->point > q->point) - (p->point < q->point);
 }
 
-/* The width of one coordinate's range; values are limited to plus and minus a quarter of
- * DBL_MAX. */
+/* The width of one coordinate's range. Values are limited to the range from -DBL_MAX / 4 to DBL_MAX
+ * / 4. */
 static double width_of(int count, int dimensions, const double *coordinate, double *least) {
     double low = DBL_MAX, high = -DBL_MAX;
     for (int p = 0; p < count; p++) {

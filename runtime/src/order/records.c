@@ -11,7 +11,7 @@
 #include <string.h>
 
 struct iteration {
-    int lowest, next; /* the lowest of its rows, and the next one */
+    int lowest, next; /* its lowest row, and its second lowest */
     int number;
 };
 
@@ -49,7 +49,7 @@ int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_
     return 0;
 }
 
-/* Returns 0 if new_of_old is a permutation; -1 if it is not, or if out of memory. */
+/* Returns 0 if new_of_old is a permutation; -1 if it is not, or if memory runs out. */
 static int check_permutation(int count, const int *new_of_old) {
     char *taken = redcc_memory_alloc_zeroed((size_t)count, 1);
     int wrong = !taken;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reverse Cuthill-McKee (George and Liu, Computer solution of large sparse positive definite
- * systems, 1981, chapter 4) of the rows that iterations update together. */
+/* Orders the rows that iterations update together by reverse Cuthill-McKee (George and Liu,
+ * Computer solution of large sparse positive definite systems, 1981, chapter 4). */
 #include "redcc/reorder.h"
 
 #include "base/memory.h"
@@ -8,8 +8,9 @@
 #include <assert.h>
 #include <stdbool.h>
 
-/* The iterations that update a row: iteration[start[r]] ... iteration[start[r + 1] - 1]. A row's
- * neighbours are these iterations' other rows; they are not stored, because there may be many. */
+/* The iterations that update each row. Those of row r are iteration[start[r]] to iteration[start[r
+ * + 1] - 1]. The neighbours of a row are the other rows of its iterations. They are not stored,
+ * because there may be many. */
 struct rows {
     int count, touches;
     const int *row;
@@ -17,12 +18,12 @@ struct rows {
     int *iteration;
 };
 
-/* Breadth-first searches. */
+/* The state of breadth-first searches. */
 struct search {
-    int *order; /* rows in the order of the search */
+    int *order; /* the rows in the order of the search */
     int *mark;  /* [rows] number of the last search that reached the row */
-    int *level; /* [rows] its distance from that search's root */
-    int number; /* of the current search */
+    int *level; /* [rows] distance of the row from the root of that search */
+    int number; /* number of the current search */
 };
 
 static bool rows_begin(struct rows *rows, int trip) {
@@ -45,7 +46,7 @@ static size_t degree(const struct rows *rows, int row) {
     return rows->start[row + 1] - rows->start[row];
 }
 
-/* Insertion sort: stable, and fast because few rows are reached from one row. */
+/* Insertion sort, which is stable, and fast if few rows are reached from one row, as is usual. */
 static void sort_by_degree(const struct rows *rows, int *list, int count) {
     for (int i = 1; i < count; i++) {
         const int moving = list[i];
@@ -56,7 +57,7 @@ static void sort_by_degree(const struct rows *rows, int *list, int count) {
     }
 }
 
-/* Searches from a root; returns the number of rows reached. */
+/* Searches from `root`. Returns the number of rows that it reached. */
 static int search_from(const struct rows *rows, struct search *search, int *order, int root) {
     int reached = 1;
     assert(root >= 0 && root < rows->count);
@@ -82,8 +83,8 @@ static int search_from(const struct rows *rows, struct search *search, int *orde
     return reached;
 }
 
-/* Orders the connected component of `row` from a pseudo-peripheral root: the root moves to the last
- * row reached until the distance no longer grows. Returns the number of rows. */
+/* Orders the connected component of `row` from a pseudo-peripheral root. To find the root, moves it
+ * to the last row reached until its distance no longer grows. Returns the number of rows. */
 static int order_part(const struct rows *rows, struct search *search, int *order, int row) {
     int count = search_from(rows, search, order, row), far = -1;
     while (search->level[order[count - 1]] > far) {

@@ -13,7 +13,8 @@ struct point {
     uint32_t iteration;
 };
 
-/* The range of owners that an iteration touches in the leading group; low > high: none. */
+/* The lowest and the highest owner that an iteration touches in the leading group; low > high: it
+ * touches none. */
 struct label {
     uint32_t low;
     uint32_t high;
@@ -29,14 +30,14 @@ struct work {
     struct partition *partition;
     const struct sample *const *sample;
     int threads;
-    struct points *points_of;     /* [array_count] the points of each group */
-    struct point *point;          /* the points' storage, group by group */
-    struct point *spare;          /* scratch memory of the same length */
-    struct label *label_of;       /* [iterations of the sample] */
-    struct label *label_of_point; /* for each of a group's points: its iteration's label */
+    struct points *points_of; /* [array_count] the points of each group */
+    struct point *point;      /* memory for the points of all groups, one group after the other */
+    struct point *spare;      /* scratch memory of the same size */
+    struct label *label_of;   /* [iterations of the sample] */
+    struct label *label_of_point; /* for each of a group's points, the label of its iteration */
 };
 
-/* Collects the group's touches at `point`. */
+/* Stores the group's touches from `point` on. */
 static struct points gather(const struct work *work, uint32_t group, struct point *point) {
     struct points points = {point, 0};
     uint32_t first_iteration = 0;
@@ -53,7 +54,7 @@ static struct points gather(const struct work *work, uint32_t group, struct poin
     return points;
 }
 
-enum { MOST_BITS = 11 }; /* maximum length of a digit of the radix sort */
+enum { MOST_BITS = 11 }; /* maximum number of bits of a digit of the radix sort */
 
 /* Stable counting sort of points by bits [shift, shift + bits) of the address. */
 static void sort_by_digit(const struct point *from, struct point *to, size_t count, unsigned shift,
@@ -69,8 +70,8 @@ static void sort_by_digit(const struct point *from, struct point *to, size_t cou
         to[start[from[i].address >> shift & mask]++] = from[i];
 }
 
-/* Radix sort, least significant digit first, with the fewest digits of equal length that cover the
- * differing bits. */
+/* Radix sort, least significant digit first. Only the bits in which addresses differ are sorted, in
+ * as few digits of equal length as possible. */
 static void sort_by_address(struct points points, struct point *spare) {
     unsigned long long differ = 0;
     for (size_t i = 1; i < points.count; i++)
@@ -94,7 +95,7 @@ static void sort_by_address(struct points points, struct point *spare) {
         memcpy(points.point, from, points.count * sizeof *from);
 }
 
-/* Makes the cuts ascend, and adds the ends 0 and UINTPTR_MAX. */
+/* Makes the cuts ascend, and sets the first cut to 0 and the last to UINTPTR_MAX. */
 static void close_cuts(const struct partition *partition, uint32_t group) {
     uintptr_t *cut = redcc_cuts(partition, group);
     cut[0] = 0;
@@ -104,7 +105,7 @@ static void close_cuts(const struct partition *partition, uint32_t group) {
     cut[partition->owners] = UINTPTR_MAX;
 }
 
-/* Cuts a group at quantiles of its points; returns the number of different cuts. */
+/* Cuts a group at quantiles of its points. Returns the number of different cuts. */
 static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     const struct partition *partition = work->partition;
     const struct points points = work->points_of[group];
@@ -134,8 +135,8 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
     }
 }
 
-/* How the number of iterations on the wrong side of the cut changes if the cut moves from before a
- * point of an iteration with this label to after it. */
+/* Suppose that the cut moves from before a point to after it. Returns by how much the number of
+ * iterations on the wrong side of the cut changes, if the point's iteration has this label. */
 static long change_beyond(struct label label, uint32_t owner) {
     return label.low > label.high ? 0 : (label.low >= owner) - (label.high < owner);
 }
@@ -145,10 +146,10 @@ static size_t distance(size_t a, size_t b) {
 }
 
 /* The number of points below the cut that best separates the iterations completely below owner
- * `owner` from those completely at or above it. Of equally good numbers: the one nearest to the
- * middle between the first and the last. */
+ * `owner` from those completely at or above it. Among equally good numbers, it is the one nearest
+ * to the middle between the first and the last. */
 static size_t best_place(const struct label *of_point, size_t count, uint32_t owner) {
-    long cost = 0, least = 0; /* relative to a cut before all points */
+    long cost = 0, least = 0; /* cost relative to a cut before all points */
     size_t first = 0, last = 0;
     for (size_t i = 0; i < count; i++) {
         cost += change_beyond(of_point[i], owner);
@@ -173,7 +174,7 @@ static size_t best_place(const struct label *of_point, size_t count, uint32_t ow
 static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
     const struct points points = work->points_of[group];
     const size_t place = best_place(work->label_of_point, points.count, owner);
-    if (place == points.count) /* everything is below: the owners above get nothing */
+    if (place == points.count) /* all points are below the cut: the owners above get nothing */
         return UINTPTR_MAX;
     return redcc_unit_begin(work->partition, group, points.point[place].address);
 }
@@ -187,7 +188,8 @@ static void cut_beside_leader(const struct work *work, uint32_t group) {
         labelled = labelled || work->label_of_point[i].low <= work->label_of_point[i].high;
     }
     if (!labelled)
-        return; /* never touched together with the leading group: keeps its quantiles */
+        return; /* no iteration of the group touches the leading group: the group keeps its
+                   quantiles */
     uintptr_t *cut = redcc_cuts(partition, group);
     for (uint32_t owner = 1; owner < partition->owners; owner++)
         cut[owner] = best_cut(work, group, owner);

@@ -8,10 +8,11 @@
 /**
  * Cuts the groups of a partition, from the samples of `threads` threads (sample [threads]).
  *
- * Each group is first cut at quantiles of its sampled touches. The leading group is the first of
- * those with the most different cuts. Each cut of another group is then placed so that it best
- * separates the touches of the iterations on the two sides of the leading group's cut. So if an
- * iteration needs two owners for one array, it usually needs the same two for the others.
+ * Each group is first cut at quantiles of its sampled touches. The leading group is the group with
+ * the most different cuts, the first one if several have as many. Each cut of another group is then
+ * placed so that it best separates the touches of the iterations on the two sides of the leading
+ * group's cut. An iteration that touches the parts of two owners in one array thus usually touches
+ * the parts of the same two owners in the others.
  *
  * Returns false if out of memory. Cost: O(touches * owners), at most some 10^5 touches.
  */

@@ -7,7 +7,7 @@
 #include "ownership/owner_map.h"
 
 /* Counts of an owner, or of a share (an owner with its stealable blocks): the number of its
- * iterations, and the last one of them, counted from 1. */
+ * iterations, and the number of the last of them, counted from 1. */
 struct part {
     uint32_t iterations;
     uint32_t last;
@@ -22,13 +22,14 @@ static void take_part(struct part *part, uint32_t iteration) {
     part->last = iteration;
 }
 
-/* The lowest and highest owner that an iteration touches. */
+/* The lowest and the highest owner that an iteration touches. */
 struct span_of_owners {
     uint32_t low;
     uint32_t high;
 };
 
-/* Is item i the first touch of its iteration at its address, among the last 32 items? */
+/* Is item i the first touch of its iteration at its address? Only the 32 items before it are
+ * searched. */
 static bool is_new_row(const struct sample *sample, size_t i) {
     enum { LOOKED_BACK = 32 };
     const struct sampled *item = &sample->item[i];
@@ -41,8 +42,8 @@ static bool is_new_row(const struct sample *sample, size_t i) {
     return true;
 }
 
-/* Counts the owners' iterations in a thread's sample, and how often consecutive iterations touch
- * different owners. */
+/* Counts the iterations of each owner and share in a thread's sample. Returns how often consecutive
+ * iterations touch different owners. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
     const uint32_t each = 1 + partition->stealable;

@@ -8,22 +8,22 @@
 /* Averages per iteration of the sample. */
 struct touching {
     double touches;
-    double records;      /* the same, with a block of rows counted as one */
-    double leading_rows; /* different rows of the leading group */
-    double further_rows; /* different rows of the other groups */
+    double records;      /* touches, with a block of rows counted as one */
+    double leading_rows; /* number of different rows of the leading group */
+    double further_rows; /* number of different rows of the other groups */
 };
 
 struct estimate {
-    double share;    /* fraction of the iterations that the most loaded share executes (a share:
-                      * an owner with its stealable blocks) */
-    double direct;   /* the same if threads find their iterations during execution; their owners may
-                        be chosen by votes */
-    double overhead; /* fraction of the iterations that are replicated because of stealable
-                      * blocks */
+    double share;  /* fraction of the iterations that the most loaded share executes; a share is an
+                      owner with its stealable blocks */
+    double direct; /* `share` if threads find their iterations during execution, with owners that
+                      votes may choose (owner_map.h) */
+    double overhead; /* fraction of the iterations that are executed once more because of stealable
+                        blocks */
     struct touching each; /* averages per iteration */
     double changes; /* fraction of the sampled iterations whose lowest or highest owner differs from
-                       the preceding sampled one's: roughly an upper bound on the fraction that
-                       begins a run */
+                       that of the sampled iteration before: roughly an upper bound of the fraction
+                       that begins a run */
 };
 
 /** Computes statistics of the samples of `threads` threads for a partition that is cut, or has a

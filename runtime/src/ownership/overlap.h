@@ -11,14 +11,14 @@
 
 #include "base/range.h"
 
-/** Identifies a range that is read and a range that is written, which overlap. */
+/** Identifies a range that the loop reads and a range that it writes, if the two overlap. */
 struct overlap {
     uint32_t source;
     uint32_t array; /* below array_count: an array; otherwise array_count + s: source s, which is a
                      * scalar accumulator or an own element */
 };
 
-/** May the source overlap an array? False if the translator proved that it does not. */
+/** May the source overlap a reduction array? False if the translator proved that it does not. */
 static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t source) {
     return !(loop->sources[source].flags & REDCC_OVERLAPS_NO_ARRAY);
 }
@@ -29,7 +29,8 @@ static inline bool redcc_may_overlap_scalars(const redcc_loop *loop, uint32_t so
 }
 
 /** May source `source` overlap source `kept`, which is a scalar accumulator in memory or an
- *  iteration's own element? False: `kept` is neither, or the translator proved that they do not. */
+ * iteration's own element? False: `kept` is neither, or the translator proved that the two are
+ * disjoint. */
 static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source, uint32_t kept) {
     const int a = loop->sources[source].flags, b = loop->sources[kept].flags;
     const bool are_behind_one =
@@ -59,7 +60,8 @@ static inline bool redcc_range_is_disjoint_from_scalars(const redcc_loop *loop,
     return true;
 }
 
-/** The same for all extents that are known before execution. */
+/** As redcc_range_is_disjoint_from_scalars, for all sources, with the extents that are known before
+ * execution. */
 static inline bool redcc_known_are_disjoint_from_scalars(const redcc_loop *loop,
                                                          const redcc_extent *known,
                                                          struct overlap *overlap) {

@@ -9,30 +9,32 @@
 enum {
     TOUCHES_A_BLOCK = 4, /* least number of sampled touches per block: with fewer, the majority
                           * would be uncertain */
-    LEAST_BLOCKS = 64,   /* per group */
-    TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between adjacent blocks costs as much as one
-                                 * misplaced touch in this number */
+    LEAST_BLOCKS = 64,   /* number of blocks that each group may have at least */
+    TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between adjacent blocks costs as many votes as
+                                   there are touches, divided by this number */
     VOTES_MOST = 1 << 22,       /* limit of blocks * owners * TOUCHES_A_BLOCK */
-    BLOCK_MOST = 1 << 30,       /* maximum bytes of a block */
-    UNITS_MOST = 1 << 20        /* maximum units of a group in the extended map */
+    BLOCK_MOST = 1 << 30,       /* maximum size of a block in bytes */
+    UNITS_MOST = 1 << 20        /* maximum number of units of a group in the extended map */
 };
 
-/* The votes for each block, and the state of an election. */
+/* The votes for each block, and the state of the election. */
 struct poll {
     uint32_t owners;
-    uint32_t *votes; /* [blocks * owners] */
-    unsigned char
-        *from;      /* [blocks * owners] best owner of the preceding block if this has owner o */
-    uint64_t *most; /* [owners] votes of the best map up to the current block with owner o */
+    uint32_t *votes;     /* [blocks * owners] */
+    unsigned char *from; /* [blocks * owners] for block b and owner o: the best owner of the block
+                            before b if b has owner o */
+    uint64_t *most; /* [owners] for owner o: the value of the best map up to the current block in
+                       which this block has owner o */
 };
 
-/* The number of units of `bytes` bytes from `first` on that cover the touched range. */
+/* The number of units of `bytes` bytes, the first of which begins at `first`, that cover the
+ * touched range. */
 static uint64_t units_to(uintptr_t first, struct range touched, uint32_t bytes) {
     return (touched.end - 1 - first) / bytes + 1;
 }
 
-/* Cuts the group into at most `most` blocks of rows, numbered from `begin` on. False: blocks would
- * be too large. */
+/* Cuts the group into at most `most` blocks of rows. Their numbers begin with `begin`. False:
+ * blocks would be too large. */
 static bool number_blocks(struct group_map *it, const struct partition *partition, uint32_t group,
                           struct range touched, uint32_t begin, uint64_t most) {
     const uintptr_t first = redcc_unit_begin(partition, group, touched.first);
@@ -47,7 +49,7 @@ static bool number_blocks(struct group_map *it, const struct partition *partitio
     return count <= most;
 }
 
-/* Cuts all groups into blocks. Returns their number; 0: no map is possible. */
+/* Cuts all groups into blocks. Returns the number of blocks; 0: no map is possible. */
 static uint32_t number_all(struct owner_map *map, const struct partition *partition,
                            const struct range *touched, size_t points, uint32_t owners) {
     const size_t votes = points < VOTES_MOST / owners ? points : VOTES_MOST / owners;
@@ -66,8 +68,8 @@ static uint32_t number_all(struct owner_map *map, const struct partition *partit
     return map->of ? count : 0;
 }
 
-/* The index in the map of the unit at `address` or, outside of the group's units, of the nearest
- * one. */
+/* The index in the map of the unit that contains `address`. Outside of the group's units, it is the
+ * index of the nearest unit. */
 static uint32_t unit_at(const struct partition *partition, uint32_t group, uintptr_t address) {
     const struct group_map *it = &partition->map.of[group];
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;
@@ -88,8 +90,8 @@ static size_t iteration_end(const struct sample *sample, size_t begin) {
     return end;
 }
 
-/* Divides the iterations into consecutive parts, one per owner, with equal numbers of the `all`
- * touches; each touch is a vote for its part's owner. */
+/* Divides the iterations into consecutive parts, one per owner, which have equal numbers of the
+ * `all` touches. Each touch is a vote for the owner of its part. */
 static void cast_votes(const struct partition *partition, const struct sample *const *samples,
                        int threads, size_t all, struct poll *poll) {
     size_t before = 0;
@@ -177,8 +179,8 @@ void redcc_owner_map_vote(struct partition *partition, const struct range *touch
         redcc_owner_map_end(map);
 }
 
-/* Computes the units that the map needs to cover the touched range: its units, and more of the same
- * size. False: it has no units of the group, or would have too many. */
+/* Extends the group's units by more units of the same size, so that they cover the touched range.
+ * False: the map has no units of the group, or would have too many. */
 static bool widen(struct group_map *it, const struct partition *partition, uint32_t group,
                   struct range touched) {
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;

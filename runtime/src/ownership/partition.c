@@ -61,7 +61,8 @@ void redcc_partition_join_stealable(struct partition *partition) {
     for (uint32_t group = 0; group < partition->array_count; group++) {
         const uintptr_t *cut = redcc_cuts(partition, group);
         for (uint32_t owner = 0; owner <= joined; owner++)
-            *to++ = cut[(size_t)owner * each]; /* in place: never writes past the read position */
+            *to++ = cut[(size_t)owner * each]; /* the copy is in place: it never writes past the
+                                                  position from which it reads */
     }
     partition->owners = joined;
     partition->stealable = 0;
@@ -75,7 +76,8 @@ void redcc_partition_add_stealable(struct partition *partition) {
         const uintptr_t *from = redcc_cuts(partition, group);
         uintptr_t *to = partition->cut + (size_t)group * (shares * each + 1);
         uintptr_t next = to[(size_t)shares * each] = from[shares];
-        for (uint32_t share = shares; share-- > 0;) { /* in place: backwards */
+        for (uint32_t share = shares;
+             share-- > 0;) { /* the copy is in place, so it goes backwards */
             const uintptr_t first = from[share];
             for (uint32_t block = 1; block < each; block++)
                 to[(size_t)share * each + block] = next;
@@ -100,7 +102,7 @@ void redcc_partition_end(struct partition *partition) {
     *partition = (struct partition){0};
 }
 
-/* Is every boundary between units of `large` also one between units of `small`? */
+/* Is every boundary between units of `large` also a boundary between units of `small`? */
 static bool in_step(const struct partition *partition, uint32_t large, uint32_t small) {
     const uintptr_t from = partition->base[large], to = partition->base[small];
     const uintptr_t apart = from > to ? from - to : to - from;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The partition of bytes among owners: arrays that overlap form a group, and each group is cut into
- * one consecutive part per owner. Part o of every group belongs to owner o.
+ * one consecutive part per owner. Part number o of every group belongs to owner number o.
  */
 #ifndef REDCC_PARTITION_H
 #define REDCC_PARTITION_H
@@ -11,13 +11,13 @@
 #include "redcc/runtime.h"
 #include <assert.h>
 
-/** Is the array scattered, with elements at arbitrary addresses? Memory between these may belong to
- *  other objects, or be unmapped, so only touched bytes may be read or written. */
+/** Is the array scattered: are its elements at arbitrary addresses? Memory between the elements may
+ * belong to other objects or be unmapped, so that only touched bytes may be read or written. */
 static inline bool redcc_is_scattered(const void *base) {
     return base == NULL;
 }
 
-/** Stealable blocks per share, if any. */
+/** The number of stealable blocks per share, if there are any. */
 enum { REDCC_STEALABLE = 2 };
 
 enum { REDCC_OWNERS_MOST = 256 }; /* maximum number of owners for a map */
@@ -27,12 +27,12 @@ struct group_map {
     ptrdiff_t first; /* offset of the first unit from the group's base */
     uint32_t begin;  /* the first unit's index in the map */
     uint32_t count;  /* number of units */
-    uint32_t bytes;  /* of a unit, which is one row or several */
+    uint32_t bytes;  /* size of a unit, which is one row or several rows */
 };
 
 struct owner_map {
     unsigned char *owner; /* NULL: there is no map */
-    struct group_map *of; /* [array_count] for each group */
+    struct group_map *of; /* [array_count] the units of each group */
 };
 
 struct partition {
@@ -40,23 +40,25 @@ struct partition {
     uint32_t array_count;
     uint32_t room; /* the number of owners for which memory is allocated */
     uint32_t owners;
-    /* of every 1 + stealable consecutive owners, the first has the largest part, and the others are
-     * stealable blocks: small parts for threads that finish early */
+    /* every 1 + stealable consecutive owners form a share: the first of them has the largest part,
+     * and the others are stealable blocks, small parts for threads that finish early */
     uint32_t stealable;
     uintptr_t *base;    /* [array_count] the arrays' first elements */
-    uint32_t *group_of; /* [array_count] the array's group, identified by the group's array with the
-                           largest unit */
-    uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is the
-                         * beginning of owner o; the first is 0, the last UINTPTR_MAX */
-    bool mixed;         /* some group's arrays differ in type or operator */
-    uint32_t leader;    /* the group that determines the cuts of the others */
-    struct owner_map map; /* if present, defines the owners instead of the cuts */
-    double share; /* if owners are kept for later executions: fraction of the iterations that the
-                   * most loaded owner executed in the first one; otherwise 0 */
+    uint32_t *group_of; /* [array_count] the group of each array; its number is that of the group's
+                           array with the largest unit */
+    /* [array_count * (owners + 1)] cut[g * (owners + 1) + o] is the beginning of owner o in group
+     * g. The first cut of each group is 0, the last is UINTPTR_MAX. */
+    uintptr_t *cut;
+    bool mixed;           /* the arrays of some group differ in type or operator */
+    uint32_t leader;      /* the group that determines the cuts of the others */
+    struct owner_map map; /* if present, the map defines the owners in place of the cuts */
+    double share; /* fraction of the iterations that the most loaded owner executed in the first
+                     execution, if owners are kept for later executions; otherwise 0 */
 };
 
-/** The part of `amount` that all owners below `owner` get together. In each share the first owner
- * gets 84 %, its stealable blocks 10 and 6 %. Without stealable blocks all owners get the same. */
+/** The part of `amount` that all owners below `owner` have together. In each share the first owner
+ * has 84 %, and its stealable blocks have 10 and 6 %. Without stealable blocks all owners have the
+ * same part. */
 static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, uint32_t owner,
                                           uint64_t amount) {
     static const uint64_t per_thousand[1 + REDCC_STEALABLE] = {0, 840, 940};
@@ -73,11 +75,11 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
 /** Moves the cuts with the arrays, which now begin at `bases`. */
 void redcc_partition_move(struct partition *partition, void *const *bases);
 
-/** Makes a single owner of everything. It may be cut again, for at most the original number of
- * owners, after partition->owners is set. */
+/** Makes a single owner of all bytes. The partition may be cut again, for at most the original
+ * number of owners, after partition->owners is set. */
 void redcc_partition_in_one(struct partition *partition);
 
-/** Makes *whole a partition with one owner. It borrows all memory except `cut`, which must be
+/** Makes *whole a partition with one owner. *whole borrows all memory except `cut`, which must be
  * freed separately. False: out of memory. */
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
 
@@ -91,7 +93,7 @@ void redcc_partition_add_stealable(struct partition *partition);
 /** Removes the map. */
 void redcc_owner_map_end(struct owner_map *map);
 
-/** Frees its memory. */
+/** Frees the partition's memory. */
 void redcc_partition_end(struct partition *partition);
 
 /** The beginnings of the owners of group g: [owners + 1] addresses, ascending. */
@@ -100,7 +102,7 @@ static inline uintptr_t *redcc_cuts(const struct partition *partition, uint32_t 
     return partition->cut + (size_t)group * (partition->owners + 1);
 }
 
-/** Is this array the one that identifies its group? */
+/** Does this array's number identify its group? */
 static inline bool redcc_leads_group(const struct partition *partition, uint32_t array) {
     assert(array < partition->array_count);
     return partition->group_of[array] == array;
@@ -108,11 +110,11 @@ static inline bool redcc_leads_group(const struct partition *partition, uint32_t
 
 enum merge_result {
     MERGE_NOTHING, /* no two groups overlap */
-    MERGE_DONE,    /* some were merged: their cuts and ranges must be recomputed */
-    MERGE_REFUSED  /* some overlap such that no cut is between units of both */
+    MERGE_DONE,    /* some groups were merged: their cuts and ranges must be recomputed */
+    MERGE_REFUSED  /* some groups overlap so that no cut is between units of both */
 };
 
-/** Merges groups that overlap in touched[group]. Updates touched [array_count]. */
+/** Merges groups whose ranges touched[group] overlap. Updates touched [array_count]. */
 enum merge_result redcc_partition_merge(struct partition *partition, struct range *touched);
 
 /** The owner of the byte at `address` of group `group`. */

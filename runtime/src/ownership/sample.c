@@ -17,16 +17,19 @@ void redcc_sample_end(struct sample *sample) {
     *sample = (struct sample){0};
 }
 
-/* Selects one touch in `in` (a power of two) on average; a larger `in` selects a subset. The
- * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, are evenly distributed over
- * every interval of iterations and of touches (Roberts, The unreasonable effectiveness of
- * quasirandom sequences, 2018). They are computed in units of 2^-64. */
+/* Is this touch selected, if one touch in `in` (a power of two) is to be selected on average? The
+ * touches selected for a larger `in` are a subset. Touch t of iteration i has the fraction i a1 + t
+ * a2 mod 1. Here a1 = 1/g and a2 = 1/g^2, where g is the real root of g^3 = g + 1. These fractions
+ * are evenly distributed over every interval of iterations and of touches (Roberts, The
+ * unreasonable effectiveness of quasirandom sequences, 2018). They are computed in units of 2^-64.
+ */
 static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
     const uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     return fraction <= UINT64_MAX / in;
 }
 
-/* The least n such that touch number `touch` + n is selected; `count` if there is none below. */
+/* The least n such that touch number `touch` + n is selected; `count` if there is no such n below
+ * `count`. */
 static uint32_t first_chosen(uint64_t iteration, uint32_t touch, uint32_t count, uint64_t in) {
     uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     uint32_t n = 0;
@@ -55,7 +58,7 @@ void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
     assert(keep_each >= sample->keep_each && (keep_each & (keep_each - 1)) == 0);
     size_t kept = 0;
     if (keep_each == sample->keep_each)
-        return; /* the items were selected with this rate */
+        return; /* the items were already selected at this rate */
     for (size_t i = 0; i < sample->count; i++)
         if (stays(sample, &sample->item[i], keep_each))
             sample->item[kept++] = sample->item[i];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A sample of the touched addresses, of iterations spread evenly over the loop, for choosing the
- * cuts and for estimates. One sample per thread.
+ * A sample of the touched addresses, from iterations that are spread evenly over the loop. It is
+ * used to choose the cuts and for estimates. Each thread has one sample.
  */
 #ifndef REDCC_SAMPLE_H
 #define REDCC_SAMPLE_H
@@ -13,8 +13,8 @@
 struct sampled {
     uintptr_t address;
     uint32_t array;
-    uint32_t iteration; /* within this thread's sample, counted from 0 */
-    uint32_t touch;     /* within this iteration, counted from 0 */
+    uint32_t iteration; /* number of the iteration within this thread's sample, counted from 0 */
+    uint32_t touch;     /* number of the touch within its iteration, counted from 0 */
 };
 
 struct sample {
@@ -24,22 +24,22 @@ struct sample {
     uint64_t keep_each; /* number of touches that one item represents; a power of two */
     uint64_t first;     /* number of sampled iterations of the preceding threads */
     uint32_t iterations;
-    uint32_t touches; /* of the current iteration */
+    uint32_t touches; /* number of touches of the current iteration so far */
     uint64_t records; /* number of touches, with a block of rows counted as one */
 };
 
-/** Makes an empty sample of at most `capacity` touches, for a thread with `first` sampled
- * iterations before its share. False: out of memory. Call redcc_sample_end in either case. */
+/** Makes an empty sample of at most `capacity` touches. `first` is the number of sampled iterations
+ * before the thread's share. False: out of memory. Call redcc_sample_end in either case. */
 bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first);
 
-/** Frees its memory. */
+/** Frees the sample's memory. */
 void redcc_sample_end(struct sample *sample);
 
-/** Adds `count` touches at intervals of `step` bytes. A full sample drops about half of the items
- * and halves the rate from then on, so that loops with thousands of touches per iteration are also
- * sampled evenly. Items are selected by a quasirandom sequence over iteration and touch. Every n-th
- * touch might always be of the same array, and a hash would leave more items in one part than in
- * another. */
+/** Adds `count` touches at intervals of `step` bytes. A full sample drops about half of its items,
+ * and from then on samples half as many touches. So loops with thousands of touches per iteration
+ * are sampled evenly, too. Items are selected by a quasirandom sequence over iteration and touch.
+ * Every n-th touch might always be of the same array, and a hash would leave more items in one part
+ * than in another. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, uint32_t count,
                       uint32_t step);
 

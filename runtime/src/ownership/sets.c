@@ -48,7 +48,7 @@ static void enter_slot(struct sets *sets, uint32_t set) {
     sets->slot[at] = set;
 }
 
-/* Ensures that the hash table is at most half full with one more set. */
+/* Ensures that the hash table is at most half full after one more set is added. */
 static bool room_for_slot(struct sets *sets) {
     const uint32_t kept = sets->count - (1 + sets->owners);
     if (kept < sets->slots / 2)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sets of owners, each stored once and identified by a number. 0 is the empty set, 1 + o the set
- * {o}; larger ones follow in the order of their first use.
+ * Sets of owners. Each set is stored once and identified by a number. Number 0 is the empty set, 1
+ * + o is the set {o}, and larger sets follow in the order of their first use.
  */
 #ifndef REDCC_SETS_H
 #define REDCC_SETS_H
@@ -13,10 +13,11 @@
 
 struct sets {
     uint32_t owners;
-    uint32_t count;    /* of sets */
-    uint32_t capacity; /* of sets */
-    size_t *start;     /* [capacity + 1] set s: member[start[s]] .. member[start[s + 1] - 1] */
-    uint32_t *member;  /* ascending within a set */
+    uint32_t count;    /* number of sets */
+    uint32_t capacity; /* number of sets for which memory is allocated */
+    size_t *start; /* [capacity + 1] the members of set s are member[start[s]] to member[start[s +
+                      1] - 1] */
+    uint32_t *member; /* ascending within a set */
     size_t member_capacity;
     uint32_t *slot; /* [slots] open-addressing hash table of set numbers; 0: free */
     uint32_t slots; /* a power of two */
@@ -26,10 +27,11 @@ struct sets {
  * in either case. */
 bool redcc_sets_begin(struct sets *sets, uint32_t owners);
 
-/** Frees its memory. */
+/** Frees the memory. */
 void redcc_sets_end(struct sets *sets);
 
-/** *set: the number of the set of `count` >= 2 owners, ascending. False: out of memory. */
+/** Sets *set to the number of the set of `count` >= 2 owners, which must ascend. False: out of
+ * memory. */
 bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t count, uint32_t *set);
 
 static inline uint32_t redcc_set_size(const struct sets *sets, uint32_t set) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The access summary: the iterations that one thread inspected, in order, as spans of consecutive
- * iterations that touch the same set of owners. Most methods plan by it alone; plan/method.h has
- * the rest (struct evidence).
+ * iterations that touch the same set of owners. Most methods need only the summary to build a plan;
+ * plan/method.h has what else they get (struct evidence).
  */
 #ifndef REDCC_SUMMARY_H
 #define REDCC_SUMMARY_H
@@ -12,13 +12,14 @@
 #include "ownership/sets.h"
 #include <assert.h>
 
-/** Iterations from `begin` (relative to the block's origin) to the next span's `begin`. */
+/** A span: iterations from `begin` (relative to the block's origin) to before the next span's
+ * `begin`, which touch the same set of owners. */
 struct span {
     uint32_t begin;
     uint32_t set;
 };
 
-/** At most 2^30 consecutive iterations. */
+/** A block of at most 2^30 consecutive iterations. */
 struct block {
     redcc_int origin;
     redcc_int count;
@@ -42,7 +43,7 @@ struct summary {
  * either case. */
 bool redcc_summary_begin(struct summary *summary, uint32_t owners);
 
-/** Frees its memory. */
+/** Frees the summary's memory. */
 void redcc_summary_end(struct summary *summary);
 
 /** Begins a block of iterations origin, origin + 1, ... False: out of memory. */

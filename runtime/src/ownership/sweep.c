@@ -62,9 +62,8 @@ void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner) {
     sweep->current = owner;
 }
 
-/* Adds a touch outside of the window: of another owner, of several, or outside of the range seen so
- * far.
- */
+/* Adds a touch outside of the window. It is of another owner, of several owners, or outside of the
+ * range touched so far. */
 static void take_stray(struct sweep *sweep, uint32_t group, uintptr_t address, uint32_t bytes) {
     const struct range touch = {address, address + bytes};
     sweep->seen[group] = redcc_range_union(sweep->seen[group], touch);
@@ -90,7 +89,8 @@ static void sort_list(struct sweep *sweep) {
         sort_few(sweep->list, sweep->listed);
         return;
     }
-    uint32_t count = 0; /* the list is long: instead of sorting it, lists all stamped owners */
+    uint32_t count =
+        0; /* the list is long: it is replaced by all stamped owners, in ascending order */
     for (uint32_t owner = 0; owner < sweep->partition->owners; owner++)
         if (sweep->stamp[owner] == sweep->iteration)
             sweep->list[count++] = owner;
@@ -183,7 +183,7 @@ void redcc_sweep_count(const struct sweep *sweep, redcc_int *executed) {
     }
 }
 
-/* The number of the set's owners if every `each` consecutive owners are merged. */
+/* The number of owners in the set if every `each` consecutive owners are merged. */
 static uint32_t count_joined(const struct sets *sets, uint32_t set, uint32_t each) {
     uint32_t count = 0;
     for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)

@@ -5,7 +5,7 @@
 
 #include "ownership/graph/levels.h"
 
-/* Iterates over a schedule, piece by piece, in the order of execution. */
+/* Walks through the runs of a schedule in the order of execution. */
 struct walk {
     const struct schedule *schedule;
     size_t chunk; /* index of the next chunk */
@@ -17,7 +17,8 @@ struct walk {
     bool checked;
 };
 
-/* Advances to the next run if the current one has no iterations left. False: there is none. */
+/* Advances to the next run if the current run has no iterations left. False: there is no next run.
+ */
 static bool advance(struct walk *walk) {
     redcc_iterations run;
     while (walk->count == 0) {
@@ -39,7 +40,7 @@ static bool advance(struct walk *walk) {
 
 enum expected { CHECKED_NEVER, CHECKED_MAYBE, CHECKED_ALWAYS };
 
-/* Are [begin, begin + count) the next iterations of the walk? */
+/* Are the iterations [begin, begin + count) the next iterations of the walk? */
 static bool comes_next(struct walk *walk, redcc_int begin, redcc_int count,
                        enum expected expected) {
     while (count > 0) {
@@ -65,7 +66,7 @@ static bool contains(const struct sets *sets, uint32_t set, uint32_t owner) {
     return false;
 }
 
-/* Does the walk continue with the iterations of the summary that the owner must execute? */
+/* Does the walk continue with those iterations of the summary that the owner must execute? */
 static bool owner_follows(struct walk *walk, const struct summary *summary, uint32_t owner,
                           bool takes_idle) {
     for (size_t b = 0; b < summary->block_count; b++) {

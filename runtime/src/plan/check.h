@@ -10,11 +10,12 @@
  * over the access summaries again, and allocates no memory.
  *
  *     LOCALWRITE  each owner's schedule consists of the iterations that touch its elements, in the
- *                 order of the loop, owner-checked if they also touch others'
+ *                 order of the loop, owner-checked if they also touch elements of others
  *     levels      each thread's schedule is its share of each stage
- *     any other   each iteration, or each that touches something, is in one schedule, once
+ *     any other   each iteration (or each that touches an element) is in one schedule, once
  *
- * The last rule is checked by the number of iterations, their sum and sum of squares.
+ * The last rule is checked by comparing the number of iterations, their sum, and their sum of
+ * squares.
  */
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence);
 

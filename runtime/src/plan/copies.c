@@ -107,7 +107,7 @@ int redcc_copy_of_share(const struct plan *plan, uint32_t share) {
     return plan->threads == 1 ? 0 : (int)share - 1;
 }
 
-/* The copies for which `thread` is the first user: [*first, *end). */
+/* The copies of which `thread` is the first user are those from *first to before *end. */
 static void copies_begun_by(const struct plan *plan, int thread, int *first, int *end) {
     if (plan->method->copies == COPY_SHARE) {
         const uint32_t count = (uint32_t)plan->copies.count;
@@ -116,7 +116,7 @@ static void copies_begun_by(const struct plan *plan, int thread, int *first, int
         return;
     }
     if (plan->method->copies ==
-        COPY_LATER) { /* the thread's shares, except the loop's first share */
+        COPY_LATER) { /* those of the thread's shares; the loop's first share has none */
         const uint32_t shares = (uint32_t)plan->parameter;
         const uint32_t begin = redcc_part_first(shares, plan->threads, thread);
         *first = plan->threads == 1 || begin == 0 ? 0 : (int)begin - 1;
@@ -168,8 +168,8 @@ bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
     return true;
 }
 
-/* Sets [*first, *end) to part number `part` when `count` elements are divided into `parts` parts.
- */
+/* Divides `count` elements into `parts` parts. Part number `part` has the elements from *first to
+ * before *end. */
 static void share(size_t count, int part, int parts, size_t *first, size_t *end) {
     *first = (size_t)redcc_share((redcc_int)count, parts, part);
     *end = (size_t)redcc_share((redcc_int)count, parts, part + 1);
@@ -205,7 +205,8 @@ void redcc_copies_fill(const struct plan *plan, int thread) {
         fill_copy(plan, &plan->copies.copy[c], 0, 1);
 }
 
-/* Figure 9 (b) of the paper: adds copy after copy, each over this thread's block of the group. */
+/* Merges one copy after the other, each within this thread's block of the group: figure 9 (b) of
+ * the paper (docs/methods.md). */
 static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
                                const struct element_rule *rule, char *base, struct offsets block) {
     for (int c = 0; c < plan->copies.count; c++) {
@@ -221,8 +222,8 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
     }
 }
 
-/* Figure 9 (a) of the paper: computes element after element from all copies, in their order. All
- * copies must contain the whole group. */
+/* Computes one element after the other from all copies, in the order of the copies: figure 9 (a) of
+ * the paper (docs/methods.md). All copies must contain the whole group. */
 static void merge_element_by_element(const struct plan *plan, uint32_t group,
                                      const struct element_rule *rule, char *base,
                                      struct offsets block) {
@@ -252,7 +253,7 @@ void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases)
         if (plan->group_of[group] != group || touched.first >= touched.end)
             continue;
         const struct element_rule *rule = rule_of(&plan->copies.arrays[group]);
-        assert(rule); /* ensured by redcc_copies_possible */
+        assert(rule); /* redcc_copies_possible ensures this */
         size_t first, end;
         share((size_t)(touched.end - touched.first) / rule->size, thread, plan->threads, &first,
               &end);

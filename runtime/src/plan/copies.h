@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Private copies of the touched bytes of reduction arrays, one for each group (arrays that overlap
- * share one), and their merge into the arrays.
+ * Private copies of the touched bytes of reduction arrays, and the merge of these copies into the
+ * arrays. Arrays that overlap form a group, which is copied as a whole.
  */
 #ifndef REDCC_COPIES_H
 #define REDCC_COPIES_H
@@ -12,8 +12,8 @@ struct plan;
 
 /** A copy of all groups. */
 struct copy {
-    char **memory;        /* [array_count] for each group; NULL: nothing is copied */
-    struct offsets *held; /* [array_count] the copied range of each group */
+    char **memory;        /* [array_count] the copy of each group; NULL: it is not copied */
+    struct offsets *held; /* [array_count] the range of each group that is copied */
 };
 
 struct copies {
@@ -21,42 +21,43 @@ struct copies {
     uint32_t array_count;
     struct copy *copy; /* [count] */
     const redcc_array *arrays;
-    bool is_neutral; /* COPY_LATER: all elements are neutral since the last merge */
+    bool is_neutral; /* with COPY_LATER: all elements have been neutral since the last merge */
 };
 
-/** Makes the copies that the plan's method needs, without memory for elements yet. False: out of
- *  memory. */
+/** Creates the copies that the plan's method needs, without memory for elements. False: out of
+ * memory. */
 bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays);
 
-/** Frees their memory. */
+/** Frees the copies' memory. */
 void redcc_copies_end(struct copies *copies);
 
 /** Are private copies possible for the touched ranges of the partition's groups (touched
- * [array_count])? Not for types without an element_rule, nor if overlapping arrays differ in type
- * or operator, or if rows or ranges are not whole elements. */
+ * [array_count])? No if a type has no element_rule, if overlapping arrays differ in type or
+ * operator, or if rows or ranges do not consist of whole elements. */
 bool redcc_copies_possible(const struct partition *partition, const struct range *touched);
 
-/** Bytes of a copy of all touched ranges. */
+/** The size of a copy of all touched ranges, in bytes. */
 size_t redcc_copy_bytes(const struct partition *partition, const struct range *touched);
 
-/** Allocates the copies that `thread` uses first, if any; `seen` [array_count] is the range touched
- * by this thread's iterations, base [array_count] the groups' addresses. False: out of memory. */
+/** Allocates the copies of which `thread` is the first user, if any. `seen` [array_count] is the
+ * range that this thread's iterations touch; base [array_count] has the addresses of the groups.
+ * False: out of memory. */
 bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
                        const uintptr_t *base);
 
-/** The number of the copy that `thread` writes to; -1: it writes in place or, with COPY_SHARE and
- *  COPY_LATER, to the copies of the shares that its chunks name. */
+/** The number of the copy that `thread` writes to; -1: the thread writes to the arrays or, with
+ * COPY_SHARE and COPY_LATER, to the copies of the shares that its chunks name. */
 int redcc_copy_of(const struct plan *plan, int thread);
 
-/** The number of the copy of a share; -1: it is in place. */
+/** The number of the copy of a share; -1: the share writes to the arrays. */
 int redcc_copy_of_share(const struct plan *plan, uint32_t share);
 
-/** Sets the copies that this thread uses first to the neutral element, unless they are neutral; of
- * a team's copy only the thread's share. */
+/** Sets the copies of which this thread is the first user to the neutral element, unless they are
+ * neutral already. Of a copy that a team shares, each thread sets its part. */
 void redcc_copies_fill(const struct plan *plan, int thread);
 
-/** Merges this thread's share of the elements from all copies into the arrays at `bases`. With
- * COPY_LATER it makes the copies neutral again. */
+/** Merges this thread's share of the elements of all copies into the arrays at `bases`. With
+ * COPY_LATER, makes the copies neutral again. */
 void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases);
 
 #endif

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* gcc at -O2 vectorises few loops, so vectorisation is requested for these. */
+/* gcc vectorises few loops at -O2, so these functions request it. */
 #if defined(__clang__)
 #define VECTORISED
 #else
@@ -16,12 +16,13 @@
 
 enum {
     PIECE = 1024
-}; /* number of elements that stay in the first-level cache while all copies are added to them */
+}; /* number of elements that stay in the first-level cache while all copies are merged into them */
 
 #define ALWAYS_INLINE static inline __attribute__((__always_inline__))
 
-/* Rules: NAME; stored type; neutral element; does `x` change nothing? (then the element is not
- * written, since perhaps no iteration updated it); `b` combined with `x` */
+/* The arguments of a rule: its name; the stored type; the neutral element; whether `x` changes
+ * nothing, so that the element is not written because perhaps no iteration updated it; and `b`
+ * combined with `x`. */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
     X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \
@@ -31,7 +32,7 @@ enum {
     X(T##_OR, U, 0, x == 0, (U)(b | x))                                                            \
     X(T##_XOR, U, 0, x == 0, (U)(b ^ x))
 
-/* The neutral element of a floating sum is -0.0: 0.0 + -0.0 is 0.0, -0.0 + -0.0 is -0.0. */
+/* The neutral element of a floating-point sum is -0.0: 0.0 + -0.0 is 0.0, -0.0 + -0.0 is -0.0. */
 #define REAL_RULES(X, T, S)                                                                        \
     X(T##_SUM, S, (S)-0.0, x == 0 && signbit(x), b + x)                                            \
     X(T##_PRODUCT, S, 1, x == 1, b * x)                                                            \
@@ -94,7 +95,7 @@ enum {
             for (size_t copy = 0; copy < copies; copy++)                                           \
                 bring_##NAME(&element[i], ((const TYPE *)from[copy])[i], limit);                   \
     }                                                                                              \
-    /* Drains one piece of one copy. */                                                            \
+    /* Merges one piece of one copy, and makes the piece neutral again. */                         \
     VECTORISED static void drain_piece_##NAME(TYPE *restrict to, TYPE *restrict from,              \
                                               size_t count, redcc_word limit) {                    \
         (void)limit;                                                                               \
@@ -123,7 +124,7 @@ enum {
             for (size_t i = 0; i < count; i++) {                                                   \
                 TYPE *const to = &row[i];                                                          \
                 const TYPE b = *to, x = records[k * count + i];                                    \
-                if (count == 1 || !(IS_NEUTRAL)) /* neutral: perhaps no iteration updated it */    \
+                if (count == 1 || !(IS_NEUTRAL)) /* neutral: it may not have been updated */       \
                     *to = COMBINED;                                                                \
             }                                                                                      \
         }                                                                                          \
@@ -142,7 +143,7 @@ ALL_RULES(DEFINE_APPLY)
 
 enum { OPERATORS = REDCC_XOR + 1, NUMBERED = OPERATORS * (REDCC_OTHER_TYPE + 1) };
 
-/* An enumerator PAIR_DOUBLE_SUM, ... for each pair of type and operator. */
+/* Enumerators such as PAIR_DOUBLE_SUM for each pair of type and operator. */
 #define PAIRS(T)                                                                                   \
     PAIR_##T##_SUM = REDCC_##T * OPERATORS + REDCC_SUM,                                            \
     PAIR_##T##_PRODUCT = REDCC_##T * OPERATORS + REDCC_PRODUCT,                                    \

@@ -3,9 +3,9 @@
  * A reduction method: distributes the iterations of a loop among threads, given the access summary.
  * methods/ has one file per method, methods/list.c the list; docs/methods.md describes them.
  *
- * A method determines what each thread executes (prepare) and whether threads write to copies. The
- * executor (execute/executor.c) does the rest for all methods with a plan: chunks, stages,
- * barriers, merges.
+ * A method determines what each thread executes (prepare) and whether threads write to copies. For
+ * all methods with a plan, the executor (execute/executor.c) hands out chunks, waits between
+ * stages, and merges copies.
  */
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
@@ -18,81 +18,85 @@
 struct levels;
 struct plan;
 
-/** Results of an inspection of all iterations. */
+/** The results of inspecting all iterations, from which a method builds a plan. */
 struct evidence {
     const struct partition *partition;
-    const struct summary *const *summary; /* [threads] of consecutive shares of the iterations */
-    const struct range *const *seen;      /* [threads][array_count] the range that each share
-                                           * touches */
+    const struct summary *const
+        *summary; /* [threads] the access summaries of consecutive shares of the iterations */
+    const struct range *const *seen; /* [threads][array_count] the range that each share
+                                      * touches */
     int threads;
     redcc_int trip;
-    const struct levels *levels; /* set if the method has in_levels */
+    const struct levels *levels; /* set if the method sets in_levels */
     bool every_iteration;        /* iterations that touch nothing must be executed, too */
 };
 
 enum copy_kind {
     COPY_NONE,
-    COPY_WHOLE,   /* each thread has a copy of everything touched */
+    COPY_WHOLE,   /* each thread has a copy of everything that the loop touches */
     COPY_TOUCHED, /* each thread has a copy of the range that its iterations touch */
-    COPY_TEAM,    /* each team except the first, which writes in place, has a copy of everything */
+    COPY_TEAM,    /* each team has a copy of everything, except the first team, which writes to the
+                     arrays */
     COPY_SHARE,   /* each of `parameter` equal shares of the iterations has a copy of everything */
-    COPY_LATER /* the same, but the first share writes in place. All memory between touched elements
-                  must belong to the arrays. A single thread uses one copy for all shares after the
-                  first */
+    COPY_LATER    /* as COPY_SHARE, but the first share writes to the arrays. All memory between
+                     touched elements must belong to the arrays. A single thread uses one copy for
+                     all shares after the first */
 };
 
 struct method {
-    const char *name;      /* the name in the literature, and in REDCC_METHOD */
+    const char *name;      /* the method's name in the literature and in REDCC_METHOD */
     const char *alias;     /* OPTIONAL; an older name that REDCC_METHOD also accepts */
-    const char *parameter; /* the parameter after a colon, as "a|b" or "N"; NULL: none */
+    const char *parameter; /* the parameter that may follow a colon, as "a|b" or "N"; NULL: none */
 
-    /* Promises */
-    redcc_order keeps;     /* the strongest order that its results satisfy. SERIAL also means that
-                            * each element's contributions are added in the order of the loop, as
-                            * REDCC_ORDER_NEEDED requires. A method with FIXED is also used with one
-                            * thread */
+    /* What the method promises and needs: */
+    redcc_order
+        keeps; /* the strongest order that the method's results satisfy. SERIAL also means that each
+                  element's contributions are added in the order of the loop, as REDCC_ORDER_NEEDED
+                  requires. A method with FIXED is also used with one thread */
     enum copy_kind copies; /* all kinds except COPY_NONE require an element_rule for each array */
 
-    bool by_graph;  /* owners are cut from the graph of a complete access log (inspect/logging.c,
-                     * ownership/graph/divide.h); by address if that is impossible */
-    bool in_levels; /* iterations are assigned to levels by such a log (ownership/graph/levels.h) */
+    bool by_graph;  /* owners are chosen by partitioning the graph of a complete access log
+                       (inspect/logging.c, ownership/graph/divide.h); if that is impossible, by
+                       address */
+    bool in_levels; /* iterations are assigned to levels by such an access log
+                       (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
     bool in_bins;   /* the method needs no plan, and an inspection only with REDCC_BINS_CHECKED:
-                     * updates are recorded, and applied bin by bin (bins/binning.h) */
+                       updates are recorded and later applied bin by bin (bins/binning.h) */
     bool selects;   /* threads find their iterations during execution (execute/select.h): the
                      * loop must have REDCC_SELECTS */
     bool tiles;     /* threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
                      * have REDCC_TILES */
     bool steals;    /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
-                     * finish early execute. Such a method has no function `owners` */
+                       finish early execute; such a method has no function `owners` */
 
-    /** REQUIRED with `parameter`: parses the text after the colon; 0: invalid. */
+    /** REQUIRED with `parameter`; parses the text after the colon. Returns 0 if it is invalid. */
     int (*parse)(const char *text);
-    /** OPTIONAL; the text of a value that is neither a number nor a letter. */
+    /** OPTIONAL; the text of a parameter that is neither a number nor a letter. */
     const char *(*spell)(int parameter);
     /** The parameter's default value. */
     int usual;
 
     /** OPTIONAL; the number of teams of threads, 1 to `threads`. Default: 1. */
     int (*teams)(int threads, int parameter);
-    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`; with
-     * `steals` also their stealable blocks. */
+    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`. With
+     * `steals`, there are also their stealable blocks. */
     uint32_t (*owners)(int threads, int parameter);
-    /** OPTIONAL; the number of flags by which its tasks synchronise. */
+    /** OPTIONAL; the number of flags by which the method's tasks synchronise. */
     uint32_t (*flags)(uint32_t owners);
-    /** Puts the iterations of `thread` into plan->schedule[thread]. With stealing, schedules belong
-     *  to owners, and it fills those of the thread's owner and its stealable blocks. Called by all
-     *  threads concurrently. False: no memory. NULL: the method is the sequential loop itself, or
-     *  in_bins. */
+    /** Puts the iterations of `thread` into plan->schedule[thread]. With `steals`, schedules belong
+     * to owners, and the function fills those of the thread's owner and its stealable blocks.
+     * Called by all threads concurrently. False: out of memory. NULL: the method is the sequential
+     * loop itself, or in_bins. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
-/** Do its threads find their work during execution, so that the plan has no schedules? */
+/** Do the method's threads find their work during execution, so that the plan has no schedules? */
 static inline bool redcc_goes_without_schedules(const struct method *method) {
     return method->selects || method->tiles;
 }
 
-/** Auto's strategy for a method. */
+/** The strategy of `auto` to which a method belongs. */
 static inline enum way redcc_way_of(const struct method *method) {
     if (method->copies != COPY_NONE)
         return WAY_COPIES;
@@ -105,14 +109,14 @@ static inline enum way redcc_way_of(const struct method *method) {
 #include "plan/methods.def"
 #undef METHOD
 
-/** A method that REDCC_METHOD does not accept, since few loops have sections (choose/sections.h).
+/** A method that REDCC_METHOD does not accept, because few loops have sections (choose/sections.h).
  */
 extern const struct method redcc_method_sections;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
 
-/** Is it the sequential loop itself? False for NULL, auto. */
+/** Is this method the sequential loop itself? False for NULL, which means auto. */
 static inline bool redcc_is_serial(const struct method *method) {
     return method && !method->prepare && !method->in_bins;
 }
@@ -120,8 +124,8 @@ static inline bool redcc_is_serial(const struct method *method) {
 /** Are the first `length` characters of `text` the method's name or alias? */
 bool redcc_method_is_named(const struct method *method, const char *text, size_t length);
 
-/** Does the last iteration touch nothing? Then one thread must execute it nevertheless, for
- * live-out variables. */
+/** Does the last iteration touch nothing? One thread must execute it nevertheless, because
+ * variables that are used after the loop get their values there. */
 static inline bool redcc_last_touches_nothing(const struct evidence *evidence) {
     for (int thread = evidence->threads - 1; thread >= 0; thread--) {
         const struct summary *summary = evidence->summary[thread];

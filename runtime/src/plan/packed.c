@@ -12,17 +12,16 @@
  *     gap << 6 | count_and_check      gap < 2^10, 2 <= count_and_check < 2^6
  *
  * where gap is the number of iterations between the preceding run (or the chunk's origin) and this
- * one. A longer run is a word 0, then gap and count_and_check in two words each, the lower one
- * first. Gaps are modulo 2^32, because the next run of a chunk may begin at an earlier iteration
- * (dwa_lip.c).
- */
+ * one. A run that does not fit is stored as a word 0, followed by gap and count_and_check in two
+ * words each, the lower word first. Gaps are modulo 2^32, because the next run of a chunk may begin
+ * at an earlier iteration (dwa_lip.c). */
 enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
 
 static bool is_short(redcc_u32 gap, redcc_iterations run) {
     return gap < GAPS && run.count_and_check < COUNTS;
 }
 
-/* Packs the chunk's runs at `to`, or only counts if `to` is NULL; returns the number of words. */
+/* Packs the chunk's runs at `to`, or only counts if `to` is NULL. Returns the number of words. */
 static size_t pack_chunk(const struct schedule *schedule, const struct chunk *chunk, uint16_t *to) {
     size_t words = 0;
     redcc_u32 at = 0;
@@ -94,21 +93,22 @@ static size_t copy_runs(struct run_reader *reader, redcc_iterations *to, size_t 
 #endif
 
 #ifdef BY_FOUR
-/* Are four words four short runs, that is, is none of them the 0 before a longer run? */
+/* Are these four words four short runs? This is so if none of them is the 0 that begins a longer
+ * run. */
 static bool all_are_short(const uint16_t *word) {
     const uint64_t each = 0x0001000100010001u;
     uint64_t counts;
     memcpy(&counts, word, sizeof counts);
     counts &= each * (COUNTS - 1);
-    /* top bits are set only if some count is 0 */
+    /* the highest bits are set only if some count is 0 */
     return ((counts - each) & each << 15) == 0;
 }
 
 typedef uint16_t four_words __attribute__((vector_size(8)));
 typedef uint32_t four __attribute__((vector_size(16)));
 
-/* Reads four runs of one word each; `at` (four equal values) is the iteration that the first gap is
- * relative to. */
+/* Reads four runs of one word each. `at` (four equal values) is the iteration to which the first
+ * gap is relative. */
 static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     const four none = {0, 0, 0, 0};
     four_words words;
@@ -126,7 +126,8 @@ static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     return at + __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
 }
 
-/* Reads whole groups of four runs of a word each, at most `room` runs; returns their number. */
+/* Reads whole groups of four runs of one word each, at most `room` runs. Returns the number of
+ * runs. */
 static size_t read_short(struct run_reader *reader, redcc_iterations *to, size_t room) {
     const uint16_t *word = reader->word;
     four at = {reader->at, reader->at, reader->at, reader->at};
@@ -178,7 +179,7 @@ static redcc_u32 length_of(redcc_iterations run) {
     return run.count_and_check / 2;
 }
 
-/* Reads the next run, or returns the rest of a split one. False: there is none. */
+/* Reads the next run, or returns the rest of a run that was split. False: there is no run left. */
 static bool read_next(struct run_reader *reader, redcc_iterations *to) {
     *to = reader->rest;
     reader->rest = (redcc_iterations){0, 0};

@@ -148,8 +148,8 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_free(plan);
 }
 
-/* The lowest stage of the chunks that are not renumbered yet, in threads [first, end); UINT32_MAX:
- * there are none. at [end - first]: the index of each thread's first such chunk. */
+/* The lowest stage among the chunks of threads [first, end) that are not renumbered yet.
+ * UINT32_MAX: there are none. at [end - first] has the index of each thread's first such chunk. */
 static uint32_t next_stage(const struct plan *plan, int first, int end, const size_t *at) {
     uint32_t lowest = UINT32_MAX;
     for (int thread = first; thread < end; thread++) {
@@ -179,7 +179,7 @@ static void number_stages(struct plan *plan, int team) {
         }
         plan->teams.stages[team]++;
     }
-    if (!at) /* out of memory: keeps the numbers, including empty stages */
+    if (!at) /* out of memory: the numbers stay as they are, including those of empty stages */
         for (int thread = first; thread < end; thread++) {
             const struct schedule *schedule = &plan->schedule[thread];
             const size_t count = schedule->chunk_count;

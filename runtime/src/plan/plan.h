@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A plan: the iterations that each thread executes, and whether it writes to arrays or copies. All
- * addresses in it are relative to the arrays' first elements, so that it is valid for other arrays
- * with the same subscripts.
+ * A plan says which iterations each thread executes, and whether the thread writes to the arrays or
+ * to copies. All its addresses are relative to the arrays' first elements, so that it is valid for
+ * other arrays with the same subscripts.
  */
 #ifndef REDCC_PLAN_H
 #define REDCC_PLAN_H
@@ -22,7 +22,7 @@ struct rounding;
 /** Teams of threads, which synchronise after each stage. */
 struct teams {
     int count;
-    uint32_t *stages;        /* [count] each team's number of stages */
+    uint32_t *stages;        /* [count] number of stages of each team */
     struct barrier *barrier; /* [count] */
 };
 
@@ -34,23 +34,26 @@ struct plan {
     redcc_int trip;
     uint32_t array_count;
     uint32_t owners;
-    uint32_t *group_of; /* [array_count] as partition.group_of */
-    ptrdiff_t *shift;   /* [array_count] bytes from its group's base to its own */
+    uint32_t *group_of; /* [array_count] as in struct partition */
+    ptrdiff_t *shift;   /* [array_count] distance in bytes from the base of the array's group to the
+                           array's base */
     struct offsets
-        *touched;     /* [array_count] the touched range of each group, relative to its base */
-    ptrdiff_t *bound; /* [array_count * (owners + 1)] owner o of group g has the bytes from
-                       * bound[g * (owners + 1) + o] to the next bound, relative to the group's
-                       * base; unused with a map */
+        *touched; /* [array_count] the touched range of each group, relative to the group's base */
+    /* [array_count * (owners + 1)] owner o has the bytes of group g from bound[k] to bound[k + 1],
+     * where k = g * (owners + 1) + o, relative to the group's base; unused with a map */
+    ptrdiff_t *bound;
     struct owner_map map;
     struct schedule
-        *schedule; /* [schedules] for each thread; with stealable blocks, for each owner */
+        *schedule; /* [schedules] one for each thread; with stealable blocks, one for each owner */
     uint32_t schedules;
-    struct flags *flags;       /* flags of tasks; NULL: there are none */
-    unsigned round;            /* counts executions: the value of a raised flag */
-    struct rounding *rounding; /* [array_count] for each group, with compensated sums; or NULL */
+    struct flags *flags; /* flags of tasks; NULL: there are none */
+    unsigned round;      /* number of the execution: the value of a raised flag */
+    struct rounding
+        *rounding; /* [array_count] rounding errors of each group, for compensated sums; or NULL */
     struct copies copies;
-    redcc_int executed; /* iterations, counting replicated ones */
-    redcc_int length;   /* the makespan, in iterations (length.h) */
+    redcc_int
+        executed; /* number of executed iterations; if several threads execute one, each counts */
+    redcc_int length; /* the makespan, in iterations (length.h) */
 };
 
 /** The index of a thread's own schedule; its stealable schedules, if any, follow. */
@@ -59,8 +62,9 @@ static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
     return (uint32_t)thread * (plan->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/** The stealable schedule that is taken after `claimed` others: first the first one of each thread,
- *  which are the largest, then the second ones. UINT32_MAX: all are taken. */
+/** The stealable schedule that is taken after `claimed` others. The first stealable schedules of
+ * all threads, which are the largest, are taken before the second ones. UINT32_MAX: all are taken.
+ */
 static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_t claimed) {
     const uint32_t threads = (uint32_t)plan->threads;
     if (claimed >= plan->schedules - threads)
@@ -68,17 +72,17 @@ static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_
     return redcc_own_schedule(plan, (int)(claimed % threads)) + 1 + claimed / threads;
 }
 
-/** The first thread of a team; team == teams: the number of threads. */
+/** The number of a team's first thread. If team == teams, the number of threads. */
 static inline int redcc_team_first(int threads, int teams, int team) {
     assert(0 <= team && team <= teams && teams <= threads);
     return (int)((long)threads * team / teams);
 }
 
-/** The team of a thread. */
+/** The team to which a thread belongs. */
 int redcc_team_of(int threads, int teams, int thread);
 
-/** Makes an empty plan for `trip` iterations and the partition; group g is touched in touched[g];
- *  compensated: with storage for rounding errors. NULL: out of memory. */
+/** Makes an empty plan for `trip` iterations and the partition. touched[g] is the range in which
+ * group g is touched. `compensated`: with storage for rounding errors. NULL: out of memory. */
 struct plan *redcc_plan_new(const struct method *method, int parameter, int threads, redcc_int trip,
                             const struct partition *partition, const struct range *touched,
                             bool compensated);
@@ -87,13 +91,14 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
 bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
                          struct divide *divide);
 
-/** The same with the partition's map, if it has one that can be extended to the touched ranges. */
+/** As redcc_plan_take_map, for the partition's map, if it has one that can be extended to the
+ * touched ranges. */
 void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
                            const struct range *touched);
 
-/** After an execution in which threads found their iterations: keeps the partition with the plan's
- * map for later ones. Drops it if arrays overlap, or if the most loaded thread's share has grown by
- * more than a 16th. */
+/** Called after an execution in which threads found their iterations. Keeps the partition, with the
+ * plan's map, for later executions. Drops it if arrays overlap, or if the most loaded thread's
+ * share has grown by more than a 16th. */
 void redcc_plan_keep_owners(struct plan *plan, struct partition *partition);
 
 /** Frees a plan; NULL does nothing. */
@@ -103,10 +108,10 @@ void redcc_plan_free(struct plan *plan);
  * the executed iterations, and computes the makespan. */
 void redcc_plan_finish(struct plan *plan);
 
-/** The bytes of the plan, including copies. */
+/** The size of the plan in bytes, including copies. */
 size_t redcc_plan_bytes(const struct plan *plan);
 
-/** The largest number of a team's stages. */
+/** The largest number of stages of a team. */
 uint32_t redcc_plan_stages(const struct plan *plan);
 
 #endif

@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "plan/plan.h"
 
-/* Is the array a sum of the same type as the array that identifies its group, with elements
- * aligned to that array's? */
+/* Can the array be compensated together with its group? It must be a sum of the same type as the
+ * array that identifies the group, with elements aligned to the elements of that array. */
 static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
                  uint32_t array) {
     const redcc_array *it = &arrays[array], *lead = &arrays[group];

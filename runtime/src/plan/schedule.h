@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A thread's schedule: chunks in order, each consisting of runs of consecutive iterations. Before
- * the first chunk of a stage, all threads of the team have finished the stages before it.
+ * A thread's schedule: chunks in their order, each of which consists of runs of consecutive
+ * iterations. Before a thread begins a chunk of a later stage, all threads of its team have
+ * finished the stages before.
  */
 #ifndef REDCC_SCHEDULE_H
 #define REDCC_SCHEDULE_H
@@ -12,20 +13,21 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Runs run[run_begin] ... run[run_end - 1], relative to `origin`; once they are packed, those in
- *  packed[run_begin] ... packed[run_end - 1]. */
+/** A chunk. Its runs, relative to `origin`, are run[run_begin] to run[run_end - 1]. Once runs are
+ * packed, they are in packed[run_begin] to packed[run_end - 1]. */
 struct chunk {
     redcc_int origin;
     size_t run_begin;
     size_t run_end;
     uint32_t stage;
-    uint32_t copy;       /* COPY_SHARE, COPY_LATER: the share, which determines the copy */
-    uint32_t wait_begin; /* before it: wait for flags wait[wait_begin] ... wait[wait_end - 1] */
+    uint32_t copy;       /* with COPY_SHARE and COPY_LATER: the share, which determines the copy */
+    uint32_t wait_begin; /* before the chunk, the thread waits for flags wait[wait_begin] to
+                            wait[wait_end - 1] */
     uint32_t wait_end;
-    uint32_t flag; /* after it: raise this flag, counted from 1; 0: none */
+    uint32_t flag; /* after the chunk, the thread raises this flag, counted from 1; 0: none */
 };
 
-/** Zero: an empty schedule. */
+/** A schedule. If all fields are zero, it is empty. */
 struct schedule {
     struct chunk *chunk;
     size_t chunk_count;
@@ -34,29 +36,29 @@ struct schedule {
     size_t run_count;
     size_t run_capacity;
     uint16_t *packed; /* the packed runs; NULL: they are not packed */
-    uint32_t *wait;   /* flags, counted from 0 */
+    uint32_t *wait;   /* the numbers of the flags that chunks wait for, counted from 0 */
     uint32_t wait_count;
     uint32_t wait_capacity;
     uint32_t waited;      /* number of entries of `wait` already assigned to chunks */
-    uint32_t copy;        /* chunk.copy of later chunks */
+    uint32_t copy;        /* the value of `copy` for later chunks */
     bool new_chunk;       /* the next iterations begin a new chunk */
-    redcc_int iterations; /* executed, including owner-checked ones */
+    redcc_int iterations; /* number of executed iterations, including owner-checked ones */
 };
 
-/** The largest count of a run, and the largest distance of its beginning from the chunk's origin.
- */
+/** The largest number of iterations of a run, and the largest distance of its beginning from the
+ * chunk's origin. */
 enum { REDCC_RUN_MOST = 1 << 30 };
 
-/** Appends iterations [begin, begin + count), count >= 0, in `stage` (not below the last one),
- *  extending the last run if they continue it. False: out of memory. */
+/** Appends iterations [begin, begin + count), count >= 0, to stage `stage`, which must not be below
+ * that of the last chunk. Extends the last run if they continue it. False: out of memory. */
 bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int begin, redcc_int count,
                         bool checked);
 
 /** Appends all runs of `other`, in stage `stage`. False: out of memory. */
 bool redcc_schedule_append(struct schedule *schedule, const struct schedule *other, uint32_t stage);
 
-/** Begins a task: its first chunk waits until the flags wait [count] are raised. False: out of
- *  memory. */
+/** Begins a task. Its first chunk waits until the flags wait [count] are raised. False: out of
+ * memory. */
 bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, uint32_t count);
 
 /** Ends the task, which has at least one iteration: raises `flag`. */
@@ -65,19 +67,19 @@ void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag);
 /** Makes later iterations write to the copy of share number `copy`. */
 void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy);
 
-/** Called when the schedule is complete: frees unused memory, and packs the runs
- * (redcc_runs_pack). */
+/** Called when the schedule is complete. Frees unused memory, and packs the runs (redcc_runs_pack).
+ */
 void redcc_schedule_finish(struct schedule *schedule);
 
-/** Packs the runs if there are at least 256, if memory is available, and if they shrink to half or
- * less. */
+/** Packs the runs if there are at least 256 of them, if memory is available, and if that halves
+ * their size at least. */
 void redcc_runs_pack(struct schedule *schedule);
 
-/** The position of a reader in a chunk's runs. Zero: at the end. */
+/** The position of a reader in a chunk's runs. If all fields are zero, it is at the end. */
 struct run_reader {
     const redcc_iterations *run;
     const redcc_iterations *run_end;
-    const uint16_t *word; /* packed */
+    const uint16_t *word; /* the next word, if runs are packed */
     const uint16_t *word_end;
     redcc_u32 at;          /* the end of the preceding run */
     redcc_iterations rest; /* the rest of a run that was read in part */
@@ -86,15 +88,16 @@ struct run_reader {
 /** Begins at the first run of a chunk of the schedule. */
 struct run_reader redcc_runs_of(const struct schedule *schedule, const struct chunk *chunk);
 
-/** Reads the next runs, at most `room` >= 1, into `to`; returns their number: 0 at the end. */
+/** Reads the next runs into `to`, at most `room` >= 1. Returns the number of runs read; 0 at the
+ * end. */
 size_t redcc_runs_read(struct run_reader *reader, redcc_iterations *to, size_t room);
 
-/** As redcc_runs_read, with at most *iterations > 0 iterations in total; subtracts those that were
- *  read. */
+/** As redcc_runs_read, but reads at most *iterations > 0 iterations in total. Subtracts the number
+ * that it read from *iterations. */
 size_t redcc_runs_read_part(struct run_reader *reader, redcc_iterations *to, size_t room,
                             redcc_int *iterations);
 
-/** Frees its memory. */
+/** Frees the schedule's memory. */
 void redcc_schedule_end(struct schedule *schedule);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The division of a loop over pairs into tiles; execute/tiles.h shows it. */
+/** The division of a loop over pairs into tiles, which execute/tiles.h draws. */
 #ifndef REDCC_PLAN_TILE_GRID_H
 #define REDCC_PLAN_TILE_GRID_H
 
@@ -10,18 +10,18 @@
 
 enum {
     TILES_MOST_BANDS = 8192,
-    TILE_FLAG_WORDS = 16 /* words per band's flag: a cache line */
+    TILE_FLAG_WORDS = 16 /* number of words for each band's flag: a cache line */
 };
 
-/** For tests: rows of a band; 0: a computed number. */
+/** For tests: number of rows of a band; 0: it is computed. */
 extern redcc_int redcc_tile_side;
 
 /** The division of a loop into tiles. */
 struct tile_grid {
     redcc_int trip;
-    redcc_int side; /* rows of a band, columns of a block */
+    redcc_int side; /* number of rows of a band, and of columns of a block */
     uint32_t bands;
-    bool below; /* columns are below their rows */
+    bool below; /* column numbers are below row numbers */
 };
 
 /** Can a loop with this number of iterations be divided into tiles? */

@@ -14,7 +14,7 @@ enum { LANES = 8, STRIPE = LANES * 8 };
 #define SECOND 0xc2b2ae3d27d4eb4fu
 #define THIRD 0x165667b19e3779f9u
 
-/* The secret key of this process and its children. */
+/* The secret key of this process, which forked children share. */
 static uint64_t key[REDCC_WIDE_KEYS];
 
 static void make_key(void) {
@@ -39,14 +39,15 @@ static inline uint64_t load(const char *data, int word) {
     return value;
 }
 
-/* Independent lanes keep the multiplier busy. Each word enters its own lane through a
- * multiplication and a rotation (a bijection, so that no single change is lost). It also enters the
- * neighbouring lane by addition, so that a change affects two lanes of 64 bits. */
+/* Combines a word of the data with a lane. The lanes are independent, which keeps the multiplier
+ * busy. Each word enters its own lane through a multiplication and a rotation (a bijection, so that
+ * no single change is lost). It also enters the neighbouring lane by addition, so that a change
+ * affects two lanes of 64 bits. */
 #define TAKE_IN(lane, data, i)                                                                     \
     lane = rotate((lane ^ load(data, i)) * FIRST, 32) + load(data, (i) ^ 1)
 
-/* Hashes `stripes` stripes at `data`. The lanes are separate variables, not an array: only then do
- * compilers keep them in registers at -O2, which is three times as fast. */
+/* Hashes `stripes` stripes at `data`. The lanes are separate variables, not an array, because only
+ * then do compilers keep them in registers at -O2, which is three times as fast. */
 static void take_in(uint64_t lane[LANES], const char *data, size_t stripes) {
     uint64_t a = lane[0], b = lane[1], c = lane[2], d = lane[3];
     uint64_t e = lane[4], f = lane[5], g = lane[6], h = lane[7];
@@ -70,7 +71,7 @@ static uint64_t mix(uint64_t value) {
     return value ^ value >> 32;
 }
 
-/* Hashes all whole blocks by AVX2, if available; returns the number of bytes hashed. */
+/* Hashes all whole blocks by AVX2, if that is available. Returns the number of bytes hashed. */
 static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t bytes) {
     if (bytes < REDCC_WIDE_BLOCK || !redcc_has_wide())
         return 0;

@@ -37,10 +37,10 @@ WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
     return _mm256_add_epi64(_mm256_mul_epu32(mixed, odd), _mm256_slli_epi64(high, 32));
 }
 
-/* As in XXH3 (Y. Collet, xxHash's specification), a lane adds the product of the halves of a word
- * combined with the stripe's key and, so that no single change is lost, the neighbouring word
- * unchanged. Only the products detect swapped words, so each half is also multiplied by a half of
- * another word. */
+/* As in XXH3 (Y. Collet, xxHash's specification), each word is combined with the stripe's key, and
+ * the product of its halves is added to a lane. The neighbouring word is added unchanged, so that
+ * no single change is lost. Only the products detect swapped words, so each half is also multiplied
+ * by a half of another word. */
 __attribute__((target("avx2"))) void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES],
                                                         const char *data, size_t blocks,
                                                         const uint64_t key[REDCC_WIDE_KEYS]) {

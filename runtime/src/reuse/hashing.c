@@ -11,8 +11,8 @@ bool redcc_is_small(struct reading reading) {
     return redcc_range_bytes(reading.range) <= SMALL;
 }
 
-/* The first byte of the thread's share; *count: the bytes of the share. All shares except the last
- * are whole stripes. */
+/* Returns the first byte of the thread's share, and sets *count to its number of bytes. All shares
+ * except the last consist of whole stripes. */
 static const char *share_of(struct reading reading, const struct hasher *hasher, size_t *count) {
     const size_t bytes = redcc_range_bytes(reading.range);
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
@@ -23,7 +23,8 @@ static const char *share_of(struct reading reading, const struct hasher *hasher,
     return (const char *)reading.range.first + first;
 }
 
-/* Continues the hash, in whole pieces, up to the fraction `part` of the share; 1: to its end. */
+/* Continues the hash, in whole pieces, up to the fraction `part` of the share. If part is 1, hashes
+ * it to its end. */
 static void hash_up_to(struct partial_hash *partial, const struct hasher *hasher, double part) {
     size_t count;
     const char *const share = share_of(partial->reading, hasher, &count);
@@ -90,7 +91,8 @@ void redcc_hash_rest(struct hasher *hasher, const struct request *request,
                 hasher->fingerprint[s] = redcc_reading_fingerprint(reading);
             continue;
         }
-        if (!redcc_readings_equal(partial->reading, reading)) /* the range is different now */
+        if (!redcc_readings_equal(partial->reading,
+                                  reading)) /* the range is not the one that was hashed */
             *partial = (struct partial_hash){.reading = reading};
         hash_up_to(partial, hasher, 1);
         hasher->fingerprint[s] = partial->so_far;
@@ -105,7 +107,7 @@ struct fingerprint redcc_hash_joined(struct hasher *const *hasher, int threads, 
     int count = 1;
     for (int thread = 0; thread < threads; thread++) {
         part[count++] = hasher[thread]->fingerprint[source];
-        if (count > AT_ONCE) { /* joins the shares so far, to continue with the next ones */
+        if (count > AT_ONCE) { /* joins the shares so far, and continues with the next ones */
             part[0] = redcc_fingerprint_join(part, count);
             count = 1;
         }

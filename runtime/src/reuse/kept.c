@@ -11,8 +11,8 @@
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
 
-/* Sets sources [source_count] to the sources' ranges. False if the call for which the plan was
- * built knew the ranges of other sources than this one, or ranges of other lengths. */
+/* Sets sources [source_count] to the sources' ranges. False if this call knows the ranges of other
+ * sources than the call for which the plan was built, or ranges of other lengths. */
 static bool sources_fit(const struct kept_plan *kept, const struct request *request,
                         struct range *sources) {
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
@@ -99,9 +99,9 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
     return hash ^ hash >> 31;
 }
 
-/* A hash of a few words of a subscript; 0 if the call does not give its range. */
+/* A hash of a few words of a subscript array. 0 if the call does not give the array's range. */
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
-    enum { WORDS = 32 }; /* takes some 3 microseconds if none is in the caches */
+    enum { WORDS = 32 }; /* so many take some 3 microseconds if none is in the caches */
     uint64_t hash = 0;
     if (!(source.flags & REDCC_IS_SUBSCRIPT) || !known.end ||
         known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
@@ -124,7 +124,7 @@ uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known) {
     return hash;
 }
 
-/* The first source whose sample differs from that at the plan's construction; -1: none. */
+/* The first source whose sample differs from the sample when the plan was built; -1: none. */
 static int changed_source(const struct reuse *reuse, const struct kept_plan *kept) {
     const struct request *request = &reuse->call->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++)
@@ -159,7 +159,7 @@ void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, un
     reuse->changed_source = changed_source(reuse, newest);
 }
 
-/* Of several plans with the same sample, finds the one used most recently. */
+/* Finds the plan that was used most recently, if several plans have the same sample. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     struct plan_cache *cache = reuse->cache;
     struct kept_plan *found = NULL;
@@ -171,7 +171,8 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
             found = kept;
     }
     reuse->found = found;
-    if (!found || !fits(reuse, found, threads)) /* also sets the sources' ranges */
+    if (!found ||
+        !fits(reuse, found, threads)) /* called again, because it also sets the sources' ranges */
         return;
     if (redcc_may_be_aliased(
             (struct touches){reuse->written, found->plan->array_count, reuse->sources,
@@ -186,7 +187,8 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     ask_tracking(reuse);
 }
 
-/* Is the source a part of another one? Its beginning lies in a source with a known range. */
+/* Is the source a part of another source? Its beginning must be in a source whose range is known.
+ */
 static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known, uint32_t source) {
     const uintptr_t first = (uintptr_t)known[source].first;
     for (uint32_t s = 0; s < loop->source_count; s++)
@@ -195,7 +197,7 @@ static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known
     return false;
 }
 
-/* Adds the hash of the bytes to *all; false if the time limit was exceeded. */
+/* Adds the hash of the bytes to *all. Returns false if the time limit was exceeded. */
 static bool take_in(struct fingerprint *all, const char *data, size_t bytes, double until) {
     enum { PIECE = 256 * 1024 };
     for (size_t done = 0; done < bytes; done += PIECE) {
@@ -209,7 +211,7 @@ static bool take_in(struct fingerprint *all, const char *data, size_t bytes, dou
     return true;
 }
 
-/* Does the call give the ranges of all subscripts, or of sources that contain them? */
+/* Does the call give the ranges of all subscript arrays, or of sources that contain them? */
 static bool are_known(const redcc_loop *loop, const redcc_extent *known) {
     for (uint32_t s = 0; s < loop->source_count; s++)
         if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && !known[s].end &&
@@ -237,10 +239,11 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
     return true;
 }
 
-/* ---- are its subscripts unchanged? ----------------------------------------------------------- */
+/* ---- are a plan's subscripts unchanged? -------------------------------------------------------
+ */
 
-/* All threads compare a source. The range of the next source may depend on the contents of this
- * one, so no thread reads that before all have found this one unchanged. */
+/* All threads together compare a source. The range of the next source may depend on the contents of
+ * this source, so no thread reads the next one before all threads have found this one unchanged. */
 static bool verify_together(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const struct reading reading = reading_of(reuse, source);
     hasher->fingerprint[source] = redcc_hash_share(hasher, reading);
@@ -258,8 +261,8 @@ static bool verify_alone(const struct reuse *reuse, uint32_t source) {
                                    reuse->found->source[source].fingerprint);
 }
 
-/* Compares a source by reading it. Only the first thread writes data for later calls; no other
- * thread reads these in this call. */
+/* Compares a source by reading it. Only the first thread writes data for later calls. No other
+ * thread reads these data in this call. */
 static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const bool same = redcc_is_small(reading_of(reuse, source))
                           ? verify_alone(reuse, source)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The part of a source that is read to check whether its contents are unchanged. */
+/** A reading is the part of a source that is read to check whether its contents are unchanged. */
 #ifndef REDCC_READING_H
 #define REDCC_READING_H
 
@@ -7,19 +7,19 @@
 #include "redcc/runtime.h"
 #include "reuse/fingerprint.h"
 
-/** Excludes bytes that an earlier source covers, as for row_start[i] and row_start[i + 1]. Then the
- *  distance between the two sources is compared, too. */
+/** Bytes that an earlier source covers are excluded, as for row_start[i] and row_start[i + 1]. In
+ * this case the distance between the two sources is compared, too. */
 struct reading {
     struct range range;
-    bool has_gaps;      /* beginning and end come from the inspection: some bytes between them may
-                         * not have been read, and may be unreadable */
-    uint32_t beside;    /* 1 + the index of the earlier source; 0: none */
-    uintptr_t distance; /* from the earlier source to this one */
+    bool has_gaps;   /* beginning and end come from the inspection, so that some bytes between them
+                        may not have been read, and may be unreadable */
+    uint32_t beside; /* 1 + the index of the earlier source; 0: none */
+    uintptr_t distance; /* distance from the earlier source to this source */
 };
 
-/** The reading of source number `source` of the loop; sources [source_count]: the sources' ranges;
- *  known: those known before the inspection. sources is NULL: only these are known, and nothing of
- *  the others is read. */
+/** The reading of source number `source` of the loop. sources [source_count] has the sources'
+ * ranges; `known` has the ranges that are known before the inspection. If `sources` is NULL, there
+ * are no other ranges, and the readings of the other sources are empty. */
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 
@@ -32,15 +32,15 @@ static inline bool redcc_readings_equal(struct reading a, struct reading b) {
            a.distance == b.distance;
 }
 
-/** The fingerprint of `range`, a part of the reading. Unreadable memory gives a value that equals
- *  no other. */
+/** Computes the fingerprint of `range`, a part of the reading. Unreadable memory gives a value that
+ * equals no other. */
 struct fingerprint redcc_part_fingerprint(const struct reading *reading, struct range range);
 
-/** The fingerprint of the whole reading. */
+/** Computes the fingerprint of the whole reading. */
 struct fingerprint redcc_reading_fingerprint(struct reading reading);
 
-/** The fingerprint of the reading's bytes before and after its whole pages; of all bytes if it has
- *  none. */
+/** Computes the fingerprint of the reading's bytes before and after its whole pages; of all its
+ * bytes if it has no whole pages. */
 struct fingerprint redcc_reading_ends(struct reading reading);
 
 #endif

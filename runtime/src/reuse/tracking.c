@@ -6,18 +6,19 @@
 #include "reuse/pages/watch.h"
 
 enum {
-    A_COMPARISON = 12, /* useless tracking of a page, in comparisons of a page */
+    A_COMPARISON =
+        12, /* useless tracking of a page costs as much as this many comparisons of a page */
     A_SOURCE = 165, /* the check whether a source may be tracked costs as much as this many pages */
-    LEAST = 256 * 1024 /* bytes; comparing fewer costs little more than the query */
+    LEAST = 256 * 1024 /* in bytes; comparing fewer bytes costs little more than the query */
 };
 
 static double pages_of(struct range pages) {
     return (double)(redcc_range_bytes(pages) / 4096);
 }
 
-/* The assumed cost in seconds of tracking without use, which doubles with each consecutive failure.
- * Tracking begins when comparisons have cost as much, so that it loses at most the same amount
- * again (ski rental). */
+/* The assumed cost, in seconds, of tracking that turns out useless. It doubles with each
+ * consecutive failure. Tracking begins when comparisons have cost as much, so that it loses at most
+ * the same amount again (the ski-rental rule). */
 static double price(struct range pages, const struct back_off *rest) {
     const double times = rest->length ? (double)rest->length / (LEARN_BACK_OFF / 2.0) : 1;
     return times * LEARN_PAGE * (pages_of(pages) + (double)A_SOURCE);
@@ -32,8 +33,8 @@ static void back_off(struct tracking *tracking, struct back_off *rest) {
     rest->length = redcc_longer(rest->length);
 }
 
-/* Called when the source was written: updates the back-off, depending on whether tracking has paid.
- */
+/* Called when the source was written: updates the back-off, which depends on whether tracking has
+ * paid. */
 static void end_tracking(struct tracking *tracking, struct range pages, struct back_off *rest) {
     if (compared(pages, tracking->skipped) < price(pages, &(struct back_off){0})) {
         back_off(tracking, rest);
@@ -44,9 +45,9 @@ static void end_tracking(struct tracking *tracking, struct range pages, struct b
     tracking->version = 0;
 }
 
-/* Shares the tracking of another loop or, if the past comparisons or the plan's savings cover the
- * cost, begins it. Returns the version of the tracked pages; 0: not tracked. A failed attempt is
- * charged as well. */
+/* Shares the tracking that another loop has begun. Otherwise begins tracking, if past comparisons
+ * or the plan's savings cover its cost. Returns the version of the tracked pages; 0: they are not
+ * tracked. A failed attempt is charged as well. */
 static uint64_t begin_tracking(struct tracking *tracking, struct range pages, struct back_off *rest,
                                double *earned) {
     if (redcc_range_bytes(pages) < LEAST)

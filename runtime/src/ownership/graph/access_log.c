@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 
-/* The number of an iteration's latest units that are searched for duplicates. */
+/* How many of an iteration's latest units are searched for a duplicate of the next. */
 enum { LOOK_BACK = 16 };
 
 static bool list_begin(struct unit_list *list, size_t capacity) {
@@ -98,7 +98,7 @@ static inline void close_iteration(struct access_log *logged, struct unit_list *
     list->open = list->count;
 }
 
-/* Adds a touch of several units, or of memory outside of units. */
+/* Adds a touch of several units, or of memory that is in none of them. */
 static void take_wide(struct access_log *logged, const struct logged_array *array, uint64_t into,
                       uint32_t bytes) {
     const struct group_units *units = &array->units;

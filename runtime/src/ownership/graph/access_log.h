@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The access log: the units that each iteration of a thread's share touches. Units of the leading
- * group and those of further groups are in separate lists, in which the last unit of each iteration
- * is marked.
+ * The access log records the units that each iteration of a thread's share touches. Units of the
+ * leading group and those of further groups are in separate lists, in which the last unit of each
+ * iteration is marked.
  */
 #ifndef REDCC_ACCESS_LOG_H
 #define REDCC_ACCESS_LOG_H
@@ -11,8 +11,8 @@
 
 #include <assert.h>
 
-/** In a list, REDCC_LAST marks the iteration's last unit; REDCC_NO_UNIT represents an iteration
- * without units. */
+/** REDCC_LAST marks the last unit of an iteration in a list. REDCC_NO_UNIT is the only item of an
+ * iteration without units. */
 #define REDCC_LAST 0x80000000u
 #define REDCC_NO_UNIT 0x7fffffffu
 
@@ -23,10 +23,10 @@ struct unit_list {
     size_t open; /* index of the current iteration's first item */
 };
 
-/** Appends units item[0 .. count) of an iteration. False: out of memory. */
+/** Appends the units item[0] to item[count - 1] of an iteration. False: out of memory. */
 bool redcc_unit_list_add(struct unit_list *list, const uint32_t *item, size_t count);
 
-/** Frees its memory. */
+/** Frees the list's memory. */
 void redcc_unit_list_end(struct unit_list *list);
 
 /** The number of units of the iteration that begins at item `at`. */
@@ -38,38 +38,40 @@ static inline size_t redcc_iteration_length(const struct unit_list *list, size_t
     return last + 1 - at;
 }
 
-/** The data for logging the touches of one array. */
+/** What is needed to log the touches of one array. */
 struct logged_array {
     struct group_units units; /* the units of the array's group */
-    struct unit_list *list;   /* the list to which they are appended */
-    struct range *seen;       /* the group's range that this thread has touched */
+    struct unit_list *list;   /* the list to which these units are appended */
+    struct range *seen;       /* the range of the group that this thread has touched */
 };
 
 struct access_log {
     struct logged_array *of; /* [array_count] */
     uint32_t units;          /* total number of units */
     struct unit_list leading;
-    struct unit_list further; /* unallocated if there is only one group */
-    redcc_int begin;          /* the first iteration of the thread's share */
-    redcc_int iterations;     /* number of iterations recorded */
-    size_t most;              /* a list of this many items does not grow */
-    bool too_much;            /* a list would have had to grow beyond that */
-    bool beyond;              /* there was a touch outside of all units: the lists are unusable */
-    bool failed;              /* out of memory */
+    struct unit_list
+        further;     /* the units of the other groups; not allocated if there is only one group */
+    redcc_int begin; /* the first iteration of the thread's share */
+    redcc_int iterations; /* number of iterations recorded */
+    size_t most;          /* maximum number of items of a list */
+    bool too_much;        /* a list would have had more than `most` items */
+    bool beyond;          /* there was a touch outside of all units: the lists are unusable */
+    bool failed;          /* out of memory */
 };
 
 /** Begins a log at iteration `begin`, with space for about expected[0] touches of the leading group
- * and expected[1] of the further ones; lists of `most` items do not grow. seen [array_count]
- * belongs to the caller and is widened. False: out of memory. Call redcc_access_log_end in either
- * case. */
+ * and expected[1] of the other groups. A list has at most `most` items. seen [array_count] belongs
+ * to the caller; the log extends these ranges. False: out of memory. Call redcc_access_log_end in
+ * either case. */
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most);
 
-/** Frees its memory. */
+/** Frees the log's memory. */
 void redcc_access_log_end(struct access_log *logged);
 
-/** Appends entries [first, end); those of one iteration may be split over several calls. */
+/** Appends the entries from `first` to before `end`. The entries of one iteration may be split over
+ * several calls. */
 void redcc_access_log_take(struct access_log *logged, const redcc_entry *first,
                            const redcc_entry *end);
 

@@ -10,8 +10,8 @@
 struct division {
     const struct graph *graph;
     unsigned char *part;
-    uint32_t *node;  /* [count] all nodes, grouped by part */
-    uint32_t *order; /* [count] nodes in the order of a search */
+    uint32_t *node;  /* [count] all nodes, sorted by part */
+    uint32_t *order; /* [count] nodes in the order in which a search reached them */
     uint32_t *seen;  /* [count] the number of the last search that reached the node */
     uint32_t search;
     uint32_t parts;
@@ -24,10 +24,10 @@ static uint32_t strength_of(const struct graph *graph, uint32_t edge) {
     return graph->strength ? graph->strength[edge] : 1;
 }
 
-/* The gain of a node in each part of [low, high): the strength of its edges into that part. */
+/* The gains of a node: for each part of [low, high), the strength of the node's edges into it. */
 struct gains {
     uint64_t to[REDCC_PARTS_MOST];
-    uint32_t count; /* number of parts with a gain */
+    uint32_t count; /* number of parts whose gain is not 0 */
     uint32_t part[REDCC_PARTS_MOST];
 };
 
@@ -44,8 +44,8 @@ static void count_gains(const struct graph *graph, uint32_t node, const unsigned
     }
 }
 
-/* The part with the highest gain, of `here` and those with room for the node; with equal gains the
- * lighter one. The gain in `here` counts as 0 if that part is too heavy. */
+/* The part with the highest gain, among `here` and the parts with room for the node. Of parts with
+ * equal gains, it is the lightest. The gain in `here` counts as 0 if that part is too heavy. */
 static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
@@ -90,9 +90,9 @@ void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t coun
     }
 }
 
-/* Searches breadth first from `first`, then from the first node not reached, until all of node[0 ..
- * count) are in the order; visits only nodes of part `within`. Returns the last node reached from
- * `first`, which is the farthest. */
+/* Searches breadth first from `first` and then, repeatedly, from the first node not reached, until
+ * node[0] to node[count - 1] are all in the order. Visits only nodes of part `within`. Returns the
+ * last node reached from `first`, which is the farthest. */
 static uint32_t search_from(struct division *division, uint32_t first, const uint32_t *node,
                             uint32_t count, uint32_t within) {
     const struct graph *graph = division->graph;
@@ -122,8 +122,9 @@ static uint32_t search_from(struct division *division, uint32_t first, const uin
     return farthest;
 }
 
-/* Orders nodes by a search from a pseudo-peripheral node: the one farthest from the node farthest
- * from an arbitrary one. */
+/* Orders nodes by a search from a pseudo-peripheral node. To find it, a search goes from an
+ * arbitrary node to the farthest node, and a second search from there to the node farthest from
+ * that. */
 static void order_from_boundary(struct division *division, const uint32_t *node, uint32_t count,
                                 uint32_t within) {
     uint32_t outer = node[0];
@@ -138,7 +139,7 @@ static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
     return share + (percent > heaviest ? percent : heaviest);
 }
 
-/* The part of `sum` for parts [low, middle), out of [low, high). */
+/* The share of `sum` for parts [low, middle) if it is divided among parts [low, high). */
 static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t low,
                          uint32_t middle, uint32_t high) {
     const uint32_t parts = division->parts, stealable = division->stealable;
@@ -149,7 +150,8 @@ static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t
     return sum / both * lower + sum % both * lower / both;
 }
 
-/* Divides node[0 .. count), all in part `low`, into parts [low, high). */
+/* Divides the nodes node[0] to node[count - 1], which are all in part `low`, into parts [low,
+ * high). */
 static void bisect(struct division *division, uint32_t *node, uint32_t count, uint32_t low,
                    uint32_t high) {
     const struct graph *graph = division->graph;
@@ -178,7 +180,7 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
         if (part != low && part != middle)
             division->load[part] = division->most[part] = 0;
     redcc_refine(graph, node, count, division->part, low, high, division->load, division->most, 8);
-    uint32_t kept = 0; /* moves the lower part's nodes to the front again */
+    uint32_t kept = 0; /* the nodes of the lower part are moved to the front again */
     for (uint32_t i = 0; i < count; i++)
         if (division->part[node[i]] == low)
             division->order[kept++] = node[i];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Graph partitioning: parts of equal weight with few edges between them. */
+/** Graph partitioning: divides the nodes of a graph into parts of equal weight with few edges
+ * between the parts. */
 #ifndef REDCC_BISECT_H
 #define REDCC_BISECT_H
 
@@ -8,19 +9,20 @@
 enum { REDCC_PARTS_MOST = 256 };
 
 /**
- * Divides all nodes into parts 0 ... parts - 1 (at most REDCC_PARTS_MOST); each non-stealable part
- * is followed by `stealable` stealable ones (redcc_amount_below gives their sizes). Recursive
- * bisection: a breadth-first search from a pseudo-peripheral node orders the nodes; the result is
- * refined. Sets part [count]. False: no memory.
+ * Divides all nodes into parts 0 to parts - 1 (at most REDCC_PARTS_MOST parts). Each part that is
+ * not stealable is followed by `stealable` stealable ones, and redcc_amount_below gives their
+ * sizes. The method is recursive bisection: a breadth-first search from a pseudo-peripheral node
+ * orders the nodes, and the result is refined. Sets part [count]. False: out of memory.
  */
 bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stealable,
                         unsigned char *part);
 
 /**
- * Greedy refinement (after Kernighan-Lin, Fiduccia-Mattheyses) in at most `rounds` rounds. Moves
- * nodes of `list` within [low, high) to parts with stronger edges to them, with equally strong ones
- * if that balances the loads, or out of parts above their limits. load [high] has the parts'
- * weights and is updated, most [high] their limits.
+ * Greedy refinement (after Kernighan-Lin and Fiduccia-Mattheyses) in at most `rounds` rounds. Moves
+ * nodes of `list` that are in parts [low, high) to the part to which they have the strongest edges.
+ * A node also moves to a part with equally strong edges if that balances the loads, and out of a
+ * part above its limit. load [high] has the weights of the parts, and is updated; most [high] has
+ * their limits.
  */
 void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
                   unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,

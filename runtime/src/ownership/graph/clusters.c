@@ -7,11 +7,12 @@
 #include <assert.h>
 #include <string.h>
 
-enum { ROUNDS = 6 }; /* a mesh needs two, a path four */
+enum { ROUNDS = 6 }; /* maximum number of rounds; a mesh needs two, a path four */
 
-#define NOTHING UINT32_MAX /* no node is chosen */
+#define NOTHING UINT32_MAX /* a choice: no node */
 
-/* The rank of a node: a bijection on 31 bits, so that the node can be computed from the rank. */
+/* The rank of a node. It is a bijection on 31 bits, so that the node can be computed from its rank.
+ */
 static uint32_t rank_of(uint32_t node) {
     const uint32_t mixed = node * 0x9e3779b1u & 0x7fffffffu;
     return mixed ^ mixed >> 16;
@@ -19,7 +20,7 @@ static uint32_t rank_of(uint32_t node) {
 
 static uint32_t node_of(uint32_t rank) {
     const uint32_t mixed = rank ^ rank >> 16;
-    return mixed * 0x0e8b2f51u & 0x7fffffffu; /* the inverse of 0x9e3779b1 */
+    return mixed * 0x0e8b2f51u & 0x7fffffffu; /* multiplication by the inverse of 0x9e3779b1 */
 }
 
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
@@ -60,20 +61,20 @@ void redcc_clusters_end(struct clusters *clusters) {
     *clusters = (struct clusters){0};
 }
 
-/* Saturating addition. */
+/* Adds up to UINT32_MAX (saturates). */
 static inline uint32_t add(uint32_t weight, uint32_t more) {
     const uint32_t sum = weight + more;
     return sum < weight ? UINT32_MAX : sum;
 }
 
-/* All ones if the node is full, so that it is not chosen. Otherwise a row that all iterations
+/* All ones if the node is full, so that its rank is not chosen. Otherwise a row that all iterations
  * update would join all nodes. */
 static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
     return size && size[node] >= most ? NOTHING : 0;
 }
 
-/* Each node of an iteration may choose the iteration's node of lowest rank. Without branches, which
- * would be unpredictable. */
+/* Lets each node of an iteration choose the iteration's node of lowest rank. There are no branches,
+ * because they would be unpredictable. */
 static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, const uint32_t *node,
                         size_t count) {
     uint32_t first = NOTHING;
@@ -112,11 +113,11 @@ void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t en
     }
 }
 
-/* State while the next round's clusters are formed. */
+/* State while the clusters of the next round are formed. */
 struct joining {
     struct clusters *clusters;
-    const uint32_t *size; /* units of each node; NULL: 1 */
-    uint32_t *joined;     /* units of each cluster so far */
+    const uint32_t *size; /* number of units of each node; NULL: 1 each */
+    uint32_t *joined;     /* number of units of each cluster so far */
     uint32_t count;
 };
 
@@ -124,7 +125,8 @@ static uint32_t size_of(const struct joining *it, uint32_t node) {
     return it->size ? it->size[node] : 1;
 }
 
-/* Adds the node to the cluster of its chosen node, if the size limit permits. */
+/* Adds the node to `cluster`, the cluster of the node that it has chosen, if the size limit
+ * permits. Otherwise begins a new cluster with it. */
 static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     const uint32_t size = size_of(it, node);
     if (cluster == NOTHING || it->joined[cluster] + size > it->clusters->most) {
@@ -135,12 +137,13 @@ static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     it->clusters->into[node] = cluster;
 }
 
-/* Settles the nodes on the path of choices from this node, then the node itself. */
+/* Follows the choices from this node, and assigns the nodes on this path to clusters: the last node
+ * of the path first. */
 static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
     enum { PATH = 64 };
     uint32_t path[PATH], length = 0, cluster = NOTHING;
     const uint32_t *into = it->clusters->into;
-    while (length < PATH) { /* a longer path starts a new cluster */
+    while (length < PATH) { /* a longer path is cut, and its beginning starts a new cluster */
         path[length++] = node;
         const uint32_t chosen = choice[node] == NOTHING ? node : node_of(choice[node]);
         if (chosen == node)
@@ -199,8 +202,8 @@ void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t en
     }
 }
 
-/* Writes the clusters of an iteration to `to`, which may be `node`. Returns whether there are
- * several different ones. */
+/* Writes the clusters of an iteration's nodes to `to`, which may be `node`. Returns whether there
+ * are several different clusters. */
 static inline bool map_iteration(const uint32_t *into, const uint32_t *node, size_t count,
                                  uint32_t *to) {
     uint32_t differ = 0;

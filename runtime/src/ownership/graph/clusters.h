@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Clusters: sets of some dozens of units that iterations connect. Their graph is small enough to be
- * partitioned carefully at low cost, and a partition of clusters is also one of the units. This is
- * the coarsening of multilevel partitioners (Karypis and Kumar), computed directly from the access
- * log, without a graph of the units.
+ * Clusters are sets of some dozens of units that iterations connect. The graph of the clusters is
+ * small enough to be partitioned carefully at low cost, and a partition of the clusters is also a
+ * partition of the units. This is the coarsening of multilevel partitioners (Karypis and Kumar),
+ * computed directly from the access log, without a graph of the units.
  *
  * In each round every node (a unit, later a cluster) chooses the node of lowest rank among itself
- * and all nodes that iterations connect it to. Ranks come from a hash. The choices form trees: a
+ * and all nodes to which iterations connect it. Ranks come from a hash. The choices form trees: a
  * node that chooses itself is a root. Each tree becomes one node of the next round (Boruvka's
  * hooking), or several if it is too large or too deep. A round reduces a mesh's nodes by a factor
  * of about seven. All threads process their iterations concurrently; the result is independent of
@@ -26,19 +26,21 @@
 
 #include "ownership/graph/access_log.h"
 
-/** One thread's part. */
+/** One thread's part in computing the clusters. */
 struct cluster_share {
     const struct unit_list *logged; /* the units of each iteration */
     struct unit_list list;          /* the clusters of each iteration that has several */
-    uint32_t *choice; /* [nodes] by this thread's iterations; in thread 0, finally by all */
-    uint32_t *weight; /* [count] by this thread's iterations; likewise */
+    uint32_t *choice; /* [nodes] the rank that each node chooses, by this thread's iterations; in
+                         thread 0, finally by all iterations */
+    uint32_t *weight; /* [count] the work of each cluster, by this thread's iterations; in thread 0,
+                         finally by all iterations */
 };
 
 struct clusters {
     uint32_t units;
-    uint32_t most;   /* maximum units of a cluster */
+    uint32_t most;   /* maximum number of units of a cluster */
     uint32_t nodes;  /* number of nodes before the last round */
-    uint32_t count;  /* current number of clusters; before the first round: units */
+    uint32_t count;  /* current number of clusters; before the first round, the number of units */
     uint32_t *of;    /* [units] the cluster of each unit; REDCC_NO_UNIT: it is not touched */
     uint32_t *into;  /* [nodes] the cluster of each node */
     uint32_t *size;  /* [count] number of units of each cluster */
@@ -48,28 +50,29 @@ struct clusters {
     struct cluster_share *share; /* [threads] */
 };
 
-/** Begins with each of `units` units as a cluster; borrows the leading lists of logged
+/** Begins with each of the `units` units as a cluster. Borrows the lists `leading` of logged
  * [threads]. False: out of memory. Call redcc_clusters_end in either case. */
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
                           const struct access_log *logged, int threads);
 
-/** Frees its memory. */
+/** Frees the memory. */
 void redcc_clusters_end(struct clusters *clusters);
 
-/** Computes the units' choices by the thread's iterations. */
+/** Computes what the thread's iterations let each unit choose. */
 void redcc_clusters_choose(struct clusters *clusters, int thread);
 
-/** Combines choices and weights of nodes [first, end) over all threads. */
+/** Combines the choices and weights of nodes [first, end) over all threads. */
 void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end);
 
-/** Joins nodes to clusters of at most `most` units. False: nothing was done, because the clusters
- * are few enough, the last round left more than half of its nodes, or there were six rounds. */
+/** Joins nodes to clusters of at most `most` units. False: nothing was joined, because the clusters
+ * are few enough, the last round merged less than half of the nodes, or there were six rounds. */
 bool redcc_clusters_join(struct clusters *clusters);
 
-/** Stores the clusters of units [first, end). */
+/** Stores the new cluster of each of the units [first, end). */
 void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t end);
 
-/** Maps the thread's iterations to clusters, and computes these clusters' choices. */
+/** Replaces the nodes of the thread's iterations by their clusters, and computes what these
+ * clusters choose. */
 void redcc_clusters_map(struct clusters *clusters, int thread);
 
 #endif

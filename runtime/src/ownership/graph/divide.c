@@ -11,20 +11,20 @@
 
 enum {
     CLUSTERS_AN_OWNER = 128,
-    CLUSTER_MOST = 256, /* units */
+    CLUSTER_MOST = 256, /* maximum number of units of a cluster */
     NO_VOTE = 0xffff,
-    SEVERAL = 0x8000, /* flag of a vote by an iteration that already has several owners */
+    SEVERAL = 0x8000, /* flag of a vote by an iteration that touches several owners' units */
     ROUNDS = 8        /* maximum number of rounds of the unit-by-unit refinement */
 };
 
-/* The number of touches in all threads beyond which the access log is too expensive. */
+/* The total number of touches of all threads beyond which the access log is too expensive. */
 static size_t most_touches(redcc_int trip) {
     const size_t each = 64, bound = (size_t)REDCC_NO_UNIT;
     return (size_t)trip < bound / each ? (size_t)trip * each : bound;
 }
 
-/* Maps and graphs have an entry for each unit between the first and the last touched one; in a
- * sparse array most of these are untouched. */
+/* Are there too many units for the maps and graphs? These have an entry for each unit between the
+ * first and the last touched one, and in a sparse array most of these units are untouched. */
 static bool is_too_wide(const struct divide *divide, double touches) {
     const double units_a_touch = 8, few = 1 << 20;
     const double most = units_a_touch * touches;
@@ -91,8 +91,8 @@ static struct share share_of(const struct divide *divide, uint32_t count, int th
                           (uint32_t)redcc_share(count, divide->threads, thread + 1)};
 }
 
-/* A barrier; the last thread runs `alone` unless a thread has failed or the deadline has passed.
- * Returns, to all threads the same, whether they may continue. */
+/* Waits at a barrier. The last thread to arrive calls `alone` unless a thread has failed or the
+ * deadline has passed. Returns whether the threads may continue: the same to all of them. */
 static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *)) {
     if (!done)
         atomic_store(&divide->failed, true);
@@ -106,9 +106,8 @@ static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *
 
 /* ---- clusters of units ----------------------------------------------------------------------- */
 
-/* Begins clusters of a size that is small enough for balanced parts, and large enough for a small
- * graph.
- */
+/* Begins the clusters. Their size is small enough for balanced parts, and large enough for a small
+ * graph. */
 static bool begin_clusters(struct divide *divide) {
     const struct units *units = &divide->units;
     const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
@@ -127,8 +126,7 @@ static bool join_clusters(struct divide *divide) {
     return true;
 }
 
-/* Computes the clusters; called by all threads, and returns the same to all: whether it succeeded.
- */
+/* Computes the clusters. Called by all threads; returns to all of them whether it succeeded. */
 static bool cluster(struct divide *divide, int thread) {
     struct clusters *clusters = &divide->clusters;
     const struct share units = share_of(divide, divide->units.leading, thread);
@@ -150,7 +148,7 @@ static bool cluster(struct divide *divide, int thread) {
 
 /* Two functions build the edges of a graph whose nodes exist, from the iterations in
  * boundary.logged. count_edges counts the edges of this thread's nodes; fill_edges then stores
- * them. Both read all threads' iterations. The caller has a barrier after each. */
+ * them. Both read all threads' iterations. The caller needs a barrier after each function. */
 static void count_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
     redcc_graph_count(graph, divide->boundary.logged, divide->threads, nodes.first, nodes.end);
@@ -171,7 +169,8 @@ static bool begin_coarse(struct divide *divide) {
 }
 
 static bool take_coarse_edges(struct divide *divide) {
-    struct graph *coarse = &divide->coarse; /* weights include iterations without edges */
+    struct graph *coarse =
+        &divide->coarse; /* the clusters' weights include iterations that add no edges */
     memcpy(coarse->weight, divide->clusters.share[0].weight,
            coarse->count * sizeof *coarse->weight);
     return redcc_graph_take(coarse);
@@ -193,7 +192,7 @@ static bool divide_clusters(struct divide *divide, int thread) {
     return meet(divide, true, divide_coarse);
 }
 
-/* Assigns each unit to its cluster's owner; the owner of untouched units does not matter. */
+/* Assigns each unit to its cluster's owner. The owner of an untouched unit does not matter. */
 static void place_units(struct divide *divide, int thread) {
     const struct share share = share_of(divide, divide->units.leading, thread);
     const uint32_t *of = divide->clusters.of;
@@ -249,7 +248,7 @@ static bool take_rim_edges(struct divide *divide) {
 
 static bool refine_rims(struct divide *divide) {
     uint64_t load[REDCC_PARTS_MOST] = {0}, most[REDCC_PARTS_MOST], sum = 0;
-    uint32_t *const listed = divide->clusters.into; /* reuses its memory */
+    uint32_t *const listed = divide->clusters.into; /* reuses this memory */
     uint32_t count = 0;
     for (uint32_t unit = 0; unit < divide->units.leading; unit++)
         if (divide->boundary.is_boundary[unit])
@@ -289,8 +288,8 @@ static void cast_vote(atomic_ushort *vote, unsigned short mine) {
         ;
 }
 
-/* The owner of an iteration's units; if there are several, one of them with the flag SEVERAL;
- * NO_VOTE: there are no units. */
+/* The owner of an iteration's units. If there are several owners, returns one of them with the flag
+ * SEVERAL. NO_VOTE: there are no units. */
 static inline unsigned short common_owner(const struct divide *divide, const uint32_t *unit,
                                           size_t count) {
     if (unit[0] == (REDCC_NO_UNIT | REDCC_LAST))
@@ -302,9 +301,9 @@ static inline unsigned short common_owner(const struct divide *divide, const uin
     return differ ? owner | SEVERAL : owner;
 }
 
-/* Votes for the owners of further groups' units: each iteration votes for its owner in the leading
- * group. The lowest vote wins, whatever the order of votes; so votes of iterations with several
- * owners (SEVERAL) count only if there are no others. */
+/* Votes for the owners of the other groups' units. Each iteration votes for its owner in the
+ * leading group, and the lowest vote wins, so that the order of votes does not matter. Votes of
+ * iterations with several owners (SEVERAL) count only if there are no other votes. */
 static void vote_further(struct divide *divide, int thread) {
     const struct unit_list *leading = &divide->logged[thread].leading;
     const struct unit_list *further = &divide->logged[thread].further;
@@ -321,7 +320,7 @@ static void vote_further(struct divide *divide, int thread) {
     }
 }
 
-/* Assigns further groups' units to the winning owners; those without a vote are distributed
+/* Assigns the units of the other groups to the winning owners. Units without a vote are distributed
  * evenly. */
 static void count_votes(struct divide *divide, int thread) {
     const uint32_t leading = divide->units.leading, count = divide->units.count - leading;

@@ -8,18 +8,18 @@
 
 enum { FEW = 64 }; /* a level of fewer iterations is executed by one thread */
 
-/* The cost of a barrier in iterations: some 2 microseconds, at 10 nanoseconds per light iteration.
- */
+/* The cost of a barrier, in iterations: some 2 microseconds, if a light iteration takes 10
+ * nanoseconds. */
 static const double barrier_length = 200;
 
 static const uint32_t left_out = UINT32_MAX;
 
 /* State while levels are computed. */
 struct levelling {
-    uint32_t *level; /* [trip] or left_out */
-    uint32_t *free;  /* [units] the first level whose iterations may touch it */
-    uint32_t *size;  /* [levels] */
-    uint32_t *stage; /* [levels] */
+    uint32_t *level; /* [trip] the level of each iteration, or left_out */
+    uint32_t *free;  /* [units] for each unit, the first level whose iterations may touch it */
+    uint32_t *size;  /* [levels] number of iterations of each level */
+    uint32_t *stage; /* [levels] stage of each level */
     uint32_t levels;
     uint32_t units;
     uint32_t trip;
@@ -35,7 +35,8 @@ static uint32_t highest(const struct levelling *it, struct access_log_reader rea
     return level;
 }
 
-/* Marks the iteration's units as occupied in `level`. Returns whether there are any. */
+/* Marks the iteration's units as occupied in `level`. Returns whether the iteration has any units.
+ */
 static bool occupy(struct levelling *it, struct access_log_reader *reading, uint32_t level) {
     bool any = false;
     for (bool last = false; !last;) {
@@ -69,8 +70,8 @@ static void find_levels(struct levelling *it, const struct access_log *logged, i
     }
 }
 
-/* Assigns levels to stages; consecutive levels of few iterations share one. Returns the number of
- * stages. */
+/* Assigns levels to stages. Consecutive levels of few iterations share a stage. Returns the number
+ * of stages. */
 static uint32_t find_stages(struct levelling *it) {
     uint32_t stages = 0;
     for (uint32_t t = 0; t < it->trip; t++)
@@ -96,7 +97,7 @@ static void put_in_stages(const struct levelling *it, struct levels *levels) {
         if (it->level[t] != left_out)
             levels->iteration[stage[it->stage[it->level[t]]].begin++] = t;
     for (uint32_t s = levels->stages; s > 0;
-         s--) /* each `begin` has advanced to the next stage's */
+         s--) /* each `begin` has advanced to that of the next stage */
         stage[s].begin = stage[s - 1].begin;
     stage[0].begin = 0;
     levels->count = stage[levels->stages].begin;

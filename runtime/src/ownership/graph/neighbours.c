@@ -6,13 +6,12 @@
 #include <assert.h>
 #include <string.h>
 
-/* An iteration of up to CLIQUE units adds an edge for each pair of them. One with more units adds a
- * ring of edges between consecutive units, so that the number of edges stays proportional to the
- * touches. */
+/* An iteration of up to CLIQUE units adds an edge for each pair of its units. An iteration with
+ * more units adds a ring of edges between consecutive units, so that the number of edges stays
+ * proportional to the touches. */
 enum { CLIQUE = 4 };
 
-/* A node with more edges than this, parallel ones included, is a hub: its list of edges is dropped.
- */
+/* A node with more edges than this, including parallel ones, is a hub, whose edges are dropped. */
 enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {
@@ -38,7 +37,7 @@ void redcc_graph_count(struct graph *graph, const struct unit_list *const *list,
                        uint32_t first, uint32_t end) {
     assert(first <= end && end <= graph->count && lists >= 0);
     uint32_t *degree =
-        graph->start + 2; /* start[n + 2] is the degree of node n until all are known */
+        graph->start + 2; /* start[n + 2] is the number of edges of node n until all are counted */
     memset(graph->weight + first, 0, (size_t)(end - first) * sizeof *graph->weight);
     memset(degree + first, 0, (size_t)(end - first) * sizeof *degree);
     for (int l = 0; l < lists; l++)
@@ -62,7 +61,8 @@ bool redcc_graph_take(struct graph *graph) {
     start[0] = 0;
     for (uint32_t node = 0; node < graph->count; node++) {
         const uint32_t degree = start[node + 2];
-        start[node + 1] = (uint32_t)sum; /* the beginning; filling advances it to the end */
+        start[node + 1] = (uint32_t)sum; /* the index of the node's first edge; redcc_graph_fill
+                                            advances it to the end of its edges */
         sum += degree;
     }
     start[graph->count + 1] = (uint32_t)sum;
@@ -99,9 +99,9 @@ void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, 
         }
 }
 
-/* Merges the edges of node `node` and appends them to the `count` existing ones. place [nodes]: the
- * index of the last edge to each node, which is an edge of this node if it is at least `count`.
- * Returns the new number. */
+/* Merges the edges of node `node`, and appends them to the `count` edges of earlier nodes. place
+ * [nodes] has the index of the last edge to each node; if that is `count` or more, the edge belongs
+ * to this node. Returns the new number of edges. */
 static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, uint32_t end,
                             uint32_t count, uint32_t *place) {
     const uint32_t own = count;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A weighted graph: node n's neighbours are neighbour[start[n]] ... neighbour[start[n + 1] - 1].
- * Nodes (those in `only`, if set) store all of their edges, parallel ones separately until
- * redcc_graph_merge.
+ * Each node (of those in `only`, if set) stores all of its edges. Parallel edges are stored
+ * separately until redcc_graph_merge is called.
  *
  * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
- * that touches both ends (an iteration with more than a few units adds a ring of edges). Each
- * thread builds the edges of its share of the nodes, from all threads' access logs in the order of
- * the loop, so that the graph is independent of the number of threads.
+ * that touches both ends (an iteration with more than four units adds a ring of edges). Each thread
+ * builds the edges of its share of the nodes from all threads' access logs, in the order of the
+ * loop. So the graph is independent of the number of threads.
  */
 #ifndef REDCC_NEIGHBOURS_H
 #define REDCC_NEIGHBOURS_H
@@ -18,17 +18,18 @@
 
 struct graph {
     uint32_t count;
-    uint32_t *start; /* [count + 1] */
+    uint32_t *start; /* [count + 1] index of each node's first edge */
     uint32_t *neighbour;
-    uint32_t *strength;        /* of each edge; NULL: 1 */
-    uint32_t *weight;          /* [count] work of each node */
-    const unsigned char *only; /* [count] borrowed: nodes that may have edges; NULL: all */
+    uint32_t *strength; /* the strength of each edge; NULL: 1 each */
+    uint32_t *weight;   /* [count] the work of each node */
+    const unsigned char
+        *only; /* [count] borrowed: the nodes that may have edges; NULL: all nodes */
 };
 
 /** Creates `count` nodes. False: out of memory. Call redcc_graph_end in either case. */
 bool redcc_graph_begin(struct graph *graph, uint32_t count);
 
-/** Frees its memory. */
+/** Frees the graph's memory. */
 void redcc_graph_end(struct graph *graph);
 
 /** The work that an iteration with `units` units contributes to each of them. */
@@ -39,19 +40,20 @@ static inline uint32_t redcc_work_of(size_t units) {
 }
 
 /** Counts the edges of nodes [first, end), and sets their weights. The iterations are those of
- *  list[0], then list[1], ... list[lists - 1]. */
+ * list[0], list[1], ... list[lists - 1]. */
 void redcc_graph_count(struct graph *graph, const struct unit_list *const *list, int lists,
                        uint32_t first, uint32_t end);
 
-/** After all edges are counted: allocates them. False: out of memory, or too many edges. */
+/** Allocates the edges, after all of them are counted. False: out of memory, or there are too many
+ * edges. */
 bool redcc_graph_take(struct graph *graph);
 
 /** Stores the edges of nodes [first, end). */
 void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, int lists,
                       uint32_t first, uint32_t end);
 
-/** Merges parallel edges, adding up their strengths; empties the lists of hubs. False: out of
- * memory. */
+/** Merges parallel edges, adding up their strengths. Removes the edges of hubs (nodes with too many
+ * edges). False: out of memory. */
 bool redcc_graph_merge(struct graph *graph);
 
 #endif

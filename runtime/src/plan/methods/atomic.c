@@ -2,7 +2,7 @@
 /**
  * atomic: the baseline. Each thread executes an equal share of the iterations in the owner-checked
  * form, and locks a unit (a row) during each update (execute/hook.c). Locks work for every operator
- * and type; only a few of these have atomic instructions.
+ * and type, but only a few operators and types have atomic instructions.
  */
 #include "plan/methods/shares.h"
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * binning: in-order binning (propagation blocking). Each thread executes an equal share of a
- * round's iterations and appends its updates to bins of rows. Then each bin's updates are applied
- * by one thread, in the order of the loop. By default the runtime chooses between two variants,
- * which `records` and `copies` select: records in bins or, for small arrays of integers, private
- * copies.
+ * binning: in-order binning (propagation blocking). The iterations are executed in rounds. Each
+ * thread executes an equal share of a round's iterations and appends its updates to bins of rows.
+ * Then one thread applies the updates of each bin, in the order of the loop. There are two
+ * variants, `records` (records in bins) and `copies` (private copies, for small arrays of
+ * integers). By default the runtime chooses between them.
  *
  * Source: S. Beamer, K. Asanovic, D. Patterson, Reducing Pagerank communication via propagation
  * blocking, IPDPS 2017.

@@ -2,9 +2,9 @@
 /**
  * DWA-LIP: data write affinity with loop-index prefetching, section 4.2.1 and figure 10 of
  * *Parallelization Issues of a Code for Physically-based Simulation of Fabrics* (docs/paper.md).
- * The arrays are cut into one block per thread. An iteration's pair is (Bmin, deltaB): the
- * lowest block that it writes, and the distance from there to the highest. Iterations of pairs
- * whose blocks [Bmin, Bmin + deltaB] do not overlap are write dissimilar:
+ * The arrays are cut into one block per thread. An iteration's pair (Bmin, deltaB) is the lowest
+ * block that it writes, and the distance from that block to the highest. Iterations of pairs whose
+ * blocks [Bmin, Bmin + deltaB] do not overlap are called write dissimilar and may run in parallel:
  *
  *     for deltaB = 0 .. blocks - 1
  *         for stage = 0 .. deltaB
@@ -21,17 +21,19 @@
 
 #include "base/memory.h"
 
-/* The number of the stage of pairs (lowest = Bmin, delta = deltaB), in the order above. */
+/* The number of the stage, in the order above, to which the pair (lowest = Bmin, delta = deltaB)
+ * belongs. */
 static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
     return delta * (delta + 1) / 2 + lowest % (delta + 1);
 }
 
 /* One thread's iterations, sorted by their pair. */
 struct pairs {
-    uint32_t blocks;  /* total number */
-    uint32_t members; /* threads of the team: block b belongs to member b % members */
+    uint32_t blocks;  /* total number of blocks */
+    uint32_t members; /* number of threads of the team: block b belongs to thread b % members of the
+                         team */
     uint32_t member;
-    struct schedule *pair; /* [(block / members) * blocks + deltaB] */
+    struct schedule *pair; /* [(block / members) * blocks + deltaB] the iterations of each pair */
 };
 
 static uint32_t rounds(const struct pairs *pairs) {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * DWA-LIP with a result independent of the number of threads: the arrays are cut into N blocks, for
- * any number of threads. Each element gets its contributions in the order of the stages of figure
- * 10 of the paper (dwa_lip.c), and within a stage in the order of the loop.
+ * DWA-LIP with a result that does not depend on the number of threads, because the arrays are cut
+ * into N blocks, for any number of threads. Each element gets its contributions in the order of the
+ * stages of figure 10 of the paper (dwa_lip.c), and within a stage in the order of the loop.
  *
- * There are no barriers: all iterations of one pair (Bmin, deltaB) are a task, executed by the
- * thread to which block Bmin belongs. Each thread executes its tasks in the order of the stages. A
- * task waits for the last earlier tasks, in that order, that write its blocks.
+ * There are no barriers: all iterations of one pair (Bmin, deltaB) are a task, which is executed by
+ * the thread to which block Bmin belongs. Each thread executes its tasks in the order of the
+ * stages. For each of its blocks, a task waits for the last task before it, in this order, that
+ * writes the block.
  */
 #include "plan/methods/dwa_lip.h"
 
@@ -31,14 +32,14 @@ static uint32_t flags(uint32_t blocks) {
     return blocks * blocks;
 }
 
-/* A thread's view of all pairs; a pair's number is Bmin * blocks + deltaB. */
+/* A thread's data about all pairs. The number of a pair is Bmin * blocks + deltaB. */
 struct view {
     uint32_t blocks;
-    uint32_t first, end;   /* blocks that belong to the thread */
-    bool *filled;          /* [blocks * blocks] has the pair any iterations? */
-    struct schedule *pair; /* [(end - first) * blocks] iterations of the thread's own pairs */
-    uint32_t *latest;      /* [blocks] 1 + the last pair that writes the block; 0: none yet */
-    uint32_t *wait;        /* [waits] tasks for which the current task waits */
+    uint32_t first, end;   /* the blocks [first, end) belong to the thread */
+    bool *filled;          /* [blocks * blocks] does the pair have any iterations? */
+    struct schedule *pair; /* [(end - first) * blocks] the iterations of the thread's own pairs */
+    uint32_t *latest;      /* [blocks] 1 + the last pair that writes the block; 0: none so far */
+    uint32_t *wait;        /* [waits] the tasks for which the current task waits */
     uint32_t waits;        /* at most `blocks` */
 };
 
@@ -57,7 +58,8 @@ static bool take_pair(void *context, uint32_t lowest, uint32_t delta, redcc_int 
 }
 
 /* Lists the tasks of other threads that last wrote the pair's blocks. Called for pairs in the order
- * of the stages. A task that wrote several blocks may be listed more than once, without harm. */
+ * of the stages. A task that wrote several blocks may be listed more than once, which does no harm.
+ */
 static void find_waits(struct view *view, uint32_t lowest, uint32_t delta) {
     uint32_t before = 0;
     view->waits = 0;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Array expansion: each thread executes an equal share of the iterations into a copy of the whole
- * array. At the end each merges a block of all copies into the array, copy after copy (figure 9
- * (b) of the paper, docs/paper.md; the default) or element after element (figure 9 (a)).
+ * Array expansion: each thread executes an equal share of the iterations and writes to its own copy
+ * of the whole array. At the end each thread merges one block of all copies into the array. The
+ * merge goes copy after copy (figure 9 (b) of the paper, docs/paper.md; the default) or element
+ * after element (figure 9 (a)).
  */
 #include "plan/methods/shares.h"
 

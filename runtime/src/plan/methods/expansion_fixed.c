@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Array expansion with N copies for any number of threads. The iterations are divided into N equal
- * shares, each with a copy of the whole array, and the copies are merged in order. The same bits at
- * every thread count; at most N threads are busy.
+ * shares, each of which has a copy of the whole array, and the copies are merged in order. The
+ * result has the same bits at every number of threads. At most N threads are busy.
  */
 #include "plan/methods/shares.h"
 

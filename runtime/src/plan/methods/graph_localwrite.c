@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE with owners cut from the access graph: an owner's elements need not be adjacent, so
- * that shuffled subscripts have no more iterations of several owners than sorted ones.
+ * LOCALWRITE with owners chosen by partitioning the access graph. An owner's elements need not be
+ * adjacent, so that with shuffled subscripts no more iterations touch elements of several owners
+ * than with sorted ones.
  */
 #include "plan/methods/localwrite.h"
 

@@ -5,11 +5,13 @@
 #include "plan/plan.h"
 
 /** Fills the schedule of `thread` with the iterations that touch elements it owns, in ascending
- * order; those that also touch elements of others are owner-checked. False: out of memory. */
+ * order. Iterations that also touch elements of other owners are owner-checked. False: out of
+ * memory. */
 bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** The same for one owner: fills schedule[owner]. If iterations that touch nothing must be
- * executed, it also gets those that thread `idle_of` recorded; -1: none. */
+/** As redcc_localwrite_prepare, for one owner: fills schedule[owner]. If iterations that touch
+ * nothing must be executed, this owner also gets those that thread `idle_of` recorded; -1: it gets
+ * none. */
 bool redcc_localwrite_select(struct plan *plan, const struct evidence *evidence, uint32_t owner,
                              int idle_of);
 

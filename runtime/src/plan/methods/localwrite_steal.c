@@ -2,12 +2,11 @@
 /**
  * LOCALWRITE with work stealing: each thread owns most of an equal share of the arrays. The rest of
  * each share is cut into stealable blocks, which no thread owns. Threads that finish early take
- * these blocks one by one, the larger ones first. So no thread waits long for one that had more
- * expensive iterations, or that lost its core for a while.
+ * these blocks one by one, the larger ones first. So no thread waits long for another that had more
+ * expensive iterations or lost its core for a while.
  *
  * One thread executes a whole block in ascending order, so that each element gets its contributions
- * in the order of the loop. The overhead is that iterations that write to several blocks are
- * replicated.
+ * in the order of the loop. As overhead, iterations that write to several blocks are replicated.
  */
 #include "plan/methods/localwrite.h"
 
@@ -25,7 +24,7 @@ const struct method redcc_method_localwrite_steal = {.name = "localwrite-steal",
                                                      .steals = true,
                                                      .prepare = prepare};
 
-/* The same with owners cut from the access graph. */
+/* Work stealing with owners that are chosen by partitioning the access graph. */
 const struct method redcc_method_graph_localwrite_steal = {.name = "graph-localwrite-steal",
                                                            .alias = "spare-graph-localwrite",
                                                            .keeps = REDCC_ORDER_SERIAL,

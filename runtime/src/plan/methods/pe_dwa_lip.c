@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Partially expanded DWA-LIP: N copies of the arrays, the first being the arrays themselves. The
- * threads form N teams; each team executes its share of the iterations by DWA-LIP on its own copy,
- * cut into one block per thread of the team. This gives fewer blocks, fewer stages, fewer
- * conflicts.
+ * Partially expanded DWA-LIP: there are N copies of the arrays, the first of which is the arrays
+ * themselves. The threads form N teams. Each team executes its share of the iterations by DWA-LIP
+ * on its own copy, which is cut into one block per thread of the team. This gives fewer blocks,
+ * fewer stages and fewer conflicts.
  */
 #include "plan/methods/dwa_lip.h"
 
@@ -19,7 +19,7 @@ static int teams(int threads, int parameter) {
     return parameter < threads ? parameter : threads;
 }
 
-/* The number of owners: the threads of the largest team. */
+/* The number of owners, which is the number of threads of the largest team. */
 static uint32_t owners(int threads, int parameter) {
     const int count = teams(threads, parameter);
     return (uint32_t)((threads + count - 1) / count);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Pseudo-expansion: as array expansion, but a thread's copy covers only the range that its own
- * iterations touch, which the inspector has found.
+ * iterations touch, as found by the inspector.
  */
 #include "plan/methods/shares.h"
 

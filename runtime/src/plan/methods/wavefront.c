@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Order-preserving wavefronts: executes the levels of iterations (ownership/graph/levels.h) one
- * after the other: each distributed evenly over the threads, those of few iterations by one thread.
- * No iteration is owner-checked or executed twice. Of two iterations that touch a common element,
- * the first is in an earlier level, or one thread executes both in the order of the loop. So each
- * element gets its contributions in that order.
+ * after the other. Each level is distributed evenly over the threads, but levels of few iterations
+ * are executed by one thread. No iteration is owner-checked or executed twice. If two iterations
+ * touch a common element, the first is in an earlier level, or one thread executes both in the
+ * order of the loop. So each element gets its contributions in the order of the loop.
  */
 #include "ownership/graph/levels.h"
 #include "plan/methods/shares.h"

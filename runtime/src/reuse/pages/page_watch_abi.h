@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Definitions from Linux's <linux/userfaultfd.h> and <linux/fs.h> since 6.7, for asynchronous
- * write-protection, whose faults the kernel itself resolves and records: numbers and layouts of its
- * binary interface, under separate names, since older headers lack them. (ioctl_userfaultfd(2),
- * PAGEMAP_SCAN(2const).)
+ * write-protection, whose faults the kernel itself resolves and records: numbers and layouts of the
+ * kernel's binary interface. They have separate names here, because older headers lack them.
+ * (ioctl_userfaultfd(2), PAGEMAP_SCAN(2const).)
  */
 #ifndef REDCC_PAGE_WATCH_ABI_H
 #define REDCC_PAGE_WATCH_ABI_H
@@ -11,10 +11,10 @@
 #include <stdint.h>
 #include <sys/ioctl.h>
 
-/** A flag of userfaultfd(2): faults in user mode only; needs no privilege. */
+/** A flag of userfaultfd(2): only faults in user mode are handled, which needs no privilege. */
 #define WATCH_USER_MODE_ONLY 1
 
-/** UFFDIO_API: requested features. */
+/** The argument of UFFDIO_API, with the requested features. */
 struct watch_api {
     uint64_t api;
     uint64_t features;
@@ -30,7 +30,7 @@ struct watch_range {
     uint64_t length;
 };
 
-/** UFFDIO_REGISTER. */
+/** The argument of UFFDIO_REGISTER. */
 struct watch_register {
     struct watch_range range;
     uint64_t mode;
@@ -39,7 +39,7 @@ struct watch_register {
 #define WATCH_REGISTER_WRITES (UINT64_C(1) << 1)
 #define WATCH_IOCTL_REGISTER _IOWR(0xAA, 0x00, struct watch_register)
 
-/** UFFDIO_WRITEPROTECT. */
+/** The argument of UFFDIO_WRITEPROTECT. */
 struct watch_protect {
     struct watch_range range;
     uint64_t mode;
@@ -47,7 +47,7 @@ struct watch_protect {
 #define WATCH_PROTECT UINT64_C(1)
 #define WATCH_IOCTL_PROTECT _IOWR(0xAA, 0x06, struct watch_protect)
 
-/** PAGEMAP_SCAN, of /proc/self/pagemap. */
+/** The argument of PAGEMAP_SCAN, a request to /proc/self/pagemap. */
 struct watch_scan {
     uint64_t size;
     uint64_t flags;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Dirty-page tracking (write-protection by the system), for all loops of the process. A range keeps
- * its version until something in it is written; versions are never reused. Every function is
+ * Dirty-page tracking (by write protection) for all loops of the process. A range of pages keeps
+ * its version until one of them is written; versions are never reused. Every function is
  * thread-safe and never waits: if another thread is in one of them, the answer is negative.
  */
 #ifndef REDCC_WATCH_H
@@ -12,16 +12,17 @@
 /** The whole pages in `range`; empty if there are none. */
 struct range redcc_whole_pages(struct range range);
 
-/** Starts tracking `pages` (whole pages). Contents read after this call remain valid while
- *  redcc_watch_ask returns WATCH_UNTOUCHED for the returned version. 0: tracking is impossible. */
+/** Starts tracking `pages`, which must be whole pages, and returns their version. Contents read
+ * after this call are unmodified while redcc_watch_ask returns WATCH_UNTOUCHED for this version. 0:
+ * tracking is impossible. */
 uint64_t redcc_watch_begin(struct range pages);
 
-/** The version of pages that are already tracked, for another loop, and untouched; 0: there is
- * none. Makes no system call if they are not tracked. */
+/** The version of `pages` if they are already tracked, for another loop, and unmodified; otherwise
+ * 0. Makes no system call if they are not tracked. */
 uint64_t redcc_watch_share(struct range pages);
 
 enum watch_answer {
-    WATCH_TOUCHED,   /* written since, or unknown */
+    WATCH_TOUCHED,   /* they were written since then, or that is unknown */
     WATCH_UNTOUCHED, /* the pages are unchanged since that version */
     WATCH_BUSY       /* another thread is querying */
 };

@@ -4,7 +4,7 @@
  * it faults, and the kernel removes the page's mark (write protection) and resumes the write.
  * PAGEMAP_SCAN finds pages without the mark.
  */
-#define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MREMAP_FIXED, struct statx */
+#define _GNU_SOURCE /* for F_DUPFD_CLOEXEC, MREMAP_FIXED and struct statx */
 #include "reuse/pages/written_pages.h"
 
 #include "base/system.h"
@@ -31,16 +31,16 @@ struct range redcc_whole_pages(struct range range) {
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* A descriptor opened here, and the identity of its file, because the program may close any
- * descriptor and open another file with the same number. */
+/* A descriptor opened by this file. The identity of its file is stored as well, because the program
+ * may close any descriptor and open another file with the same number. */
 struct opened {
     int descriptor;
     uint64_t device;
     uint64_t number;
 };
 
-static struct opened faults;  /* the userfault descriptor, to protect pages */
-static struct opened pagemap; /* to scan pages for writes */
+static struct opened faults;  /* the userfault descriptor, by which pages are protected */
+static struct opened pagemap; /* the descriptor by which pages are scanned for writes */
 
 /* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking was never
  * started. */
@@ -64,8 +64,8 @@ static int request_of(const struct opened *opened, unsigned long request, const 
     return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
-/* The lowest number for the descriptors opened here: the last two of the current descriptor table,
- * or 512, so that the program continues to get the low numbers. */
+/* The lowest number for the descriptors opened by this file: the last two of the current descriptor
+ * table, or 512. Thus the program continues to get the low numbers. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
@@ -113,8 +113,9 @@ static bool protect(struct range pages) {
     return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* A page counts as touched if it has no mark or is not present. If a whole page table was dropped,
- * as by MADV_DONTNEED, kernels before July 2026 do not report the write. */
+/* Are all pages marked and present? A page that is not present counts as written: if a whole page
+ * table was dropped, for example by MADV_DONTNEED, kernels before July 2026 do not report the
+ * write. */
 static bool untouched(struct range pages) {
     struct watch_region found;
     struct watch_scan scan = {.size = sizeof scan,
@@ -137,7 +138,7 @@ static struct range trial_page(const char *trial, int page) {
     return (struct range){first, first + redcc_page_size()};
 }
 
-/* Writes to test pages in each way that the system could miss. */
+/* Writes to test pages in each way that the system could overlook. */
 static bool touch(char *trial) {
     const size_t page = redcc_page_size();
     const int in = redcc_system_open("/proc/self/stat");
@@ -152,8 +153,8 @@ static bool touch(char *trial) {
                         goal) == (long)goal;
 }
 
-/* Tests that tracking works here as documented. For instance, a page moved to another address must
- * not keep its mark (in kernels before 6.12.11 it does). */
+/* Tests that tracking works on this system as documented. For instance, a page that was moved to
+ * another address must not keep its mark (in kernels before 6.12.11 it does). */
 static bool passes_trial(char *trial) {
     for (int page = 0; page < TRIAL_PAGES; page++)
         ((volatile char *)trial)[(size_t)page * redcc_page_size()] = 1;
@@ -179,21 +180,22 @@ static bool try_out(void) {
     return passed;
 }
 
-/* Makes the page of own_mark, if there is none. A child finds it cleared, and uses it again. */
+/* Allocates the page of own_mark, if there is none. A child process finds it cleared, and uses it
+ * again. */
 static bool make_mark(void) {
     if (!own_mark)
         own_mark = redcc_wiped_page();
     return own_mark != NULL;
 }
 
-/* Valgrind supports none of these calls, and reports each. */
+/* Valgrind supports none of these system calls, and reports each of them. */
 static bool is_under_valgrind(void) {
     const char *preloaded = getenv("LD_PRELOAD");
     return preloaded && strstr(preloaded, "vgpreload_");
 }
 
 static bool
-    is_unavailable; /* an attempt has failed: none follows in this process or its children */
+    is_unavailable; /* an attempt has failed, and none follows in this process or its children */
 
 bool redcc_pages_begun(void) {
     return own_mark && *own_mark == 1;
@@ -202,7 +204,7 @@ bool redcc_pages_begun(void) {
 bool redcc_pages_begin(void) {
     if (is_unavailable)
         return false;
-    if (own_mark) { /* in a child: the parent's descriptors refer to the parent's memory */
+    if (own_mark) { /* in a child process: the parent's descriptors refer to the parent's memory */
         close_opened(&faults);
         close_opened(&pagemap);
     }
@@ -225,7 +227,8 @@ bool redcc_pages_protect(struct range pages) {
     struct mappings mappings;
     if (redcc_is_confined() || !redcc_may_watch(&mappings, pages, faults.descriptor))
         return false;
-    for (int m = 0; m < mappings.count; m++) /* whole mappings: the system would split others */
+    for (int m = 0; m < mappings.count; m++) /* whole mappings, because the system would split a
+                                                mapping that is registered in part */
         if (!enter(mappings.whole[m]))
             return false;
     return protect(pages);
