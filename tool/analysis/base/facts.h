@@ -291,7 +291,7 @@ typedef struct forwarded_store {
  *  stores after this loop (loop fission). While the loop is analysed and its code is generated,
  *  `rest` replaces the statement (distributed.h). */
 typedef struct distributed_store {
-    ir_node *statement;        /* an IR_EXPRESSION, or an IR_IF around it */
+    ir_node *statement;        /* an IR_EXPRESSION */
     ir_node *rest;             /* an empty IR_BLOCK */
     const ir_node *assignment; /* the assignment, whose value is a constant or a loop-invariant
                                 * variable */
