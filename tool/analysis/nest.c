@@ -43,8 +43,7 @@ static bool reads_opaque(const ir_node *value, const ir_node *target) {
     return is_same;
 }
 
-/* The target of an update because of which a loop is reported; NULL if the node is no such
- * update. */
+/* The target of an update, if its loop should be reported; NULL if the node is no such update. */
 static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     update_group group;
     if (update_group_of(an->facts, node, &group))
@@ -67,8 +66,7 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     access_list list = {0};
     if (kind != CONFLICT_SHARED || call->children[0]->kind != IR_FUNCTION ||
         !call->children[0]->function->body)
-        return false; /* a report on a regular nest names the array, which a call's text does not
-                       * show */
+        return false; /* a report on a regular nest names the array, which a call does not show */
     access_collect(an->effects, call, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];

@@ -52,9 +52,9 @@ static int64_t greatest_divisor(int64_t a, int64_t b) {
     return a;
 }
 
-/* Is each scalar in the type at a multiple of its own size, if objects of the type are at multiples
- * of `grain`? False for packed records, and often for complex numbers, whose alignment is half
- * their size. */
+/* Is each scalar in the type at a multiple of its size, if objects of the type are at multiples of
+ * `grain`? False for packed records, and often for complex numbers, whose alignment is half their
+ * size. */
 static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
     const ir_type *inner = ir_type_innermost(type);
     if (inner != type)

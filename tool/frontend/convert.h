@@ -20,8 +20,8 @@ typedef struct function_body {
 
 typedef VECTOR(CXCursor) cursor_list;
 
-/** An entry of the cache of extents. clang computes an extent anew in each query, and an
- *  expression's extent is queried again for its enclosing node. */
+/** An entry of the cache of extents. clang computes an extent in each query, and an expression's
+ *  extent is queried again for its enclosing node. */
 typedef struct cached_extent {
     const void *tree; /* clang's expression or statement */
     CXSourceRange extent;
@@ -43,8 +43,10 @@ struct converted {
 
 /** Maps of the macro expansions in the main file. */
 struct expansions {
-    map *ends;      /* offset of an expansion's begin -> offset of its end + 1 */
-    map *begins;    /* offset of an expansion's end -> offset of its begin + 1 */
+    map *ends;      /* offset of an expansion's begin -> offset of its end + 1, because 0 means
+                     * none */
+    map *begins;    /* offset of an expansion's end -> offset of its begin + 1, because 0 means
+                     * none */
     bool are_known; /* whether both maps are complete */
 };
 

@@ -390,7 +390,8 @@ ir_node *convert_braces(converter *c, CXCursor cursor) {
 /* Converts a generic selection to the chosen expression. clang does not show which association it
  * chose: it is the one whose type is the type of the whole, if only one is. The first part is
  * normally the controlling expression, which is not evaluated. If a type replaces it (clang's
- * extension, C2y), the first part is an association, and the result is opaque. */
+ * extension, C2y), the first part is an association too. A choice of the first part therefore
+ * becomes opaque. */
 static ir_node *convert_generic(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXType type = clang_getCanonicalType(clang_getCursorType(cursor));

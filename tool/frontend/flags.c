@@ -38,7 +38,8 @@ static bool is_folder(const char *path) {
     return path[0] != 0 && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* Where common distributions have gcc's headers, for the machine that redcc was built for. */
+/* Folders in which common distributions install gcc's headers, for the machine that redcc was built
+ * for. */
 #if defined(__x86_64__)
 #define GCC_FOLDERS "/usr/lib/gcc/x86_64-*linux*/*/include"
 #elif defined(__aarch64__)

@@ -11,7 +11,7 @@
  *  - raw strings (only GNU C has them) and the trigraph for a backslash (only ISO C);
  *  - blanks between a backslash and the line's end;
  *  - _Pragma, the start of a raw string, or a comment's mark, when split over two lines;
- *  - pieces of which a macro may form _Pragma;
+ *  - pieces that a macro may paste to form _Pragma;
  *  - #elifdef and #elifndef.
  *  Comments and strings are searched too, because compilers may disagree about where they end. The
  *  result is a static string. Thread-safe. */

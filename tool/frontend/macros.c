@@ -46,8 +46,8 @@ static void note(map *macros, const char *name, size_t length, bool is_function_
 }
 
 /* May the macro expand to its own name? Looking up its definition is the most expensive step here.
- * Headers define thousands of macros in capitals, few of which expand to themselves, so those in
- * capitals are assumed not to. */
+ * Headers define thousands of macros in capitals, and few of them expand to themselves. Macros in
+ * capitals outside of the main file are therefore assumed not to. */
 static bool may_expand_to_itself(CXSourceLocation location, const char *name) {
     for (const char *p = name; *p; p++)
         if (islower((unsigned char)*p))

@@ -26,7 +26,7 @@ typedef struct search {
 } search;
 
 /* The first universal character name (\\u or \\U) outside of comments; NULL if there is none. If
- * the file has a digit separator (a quote between digits), comments cannot be told from other text,
+ * the file has a digit separator (a quote between digits), comments cannot be recognised reliably,
  * so they are searched too. */
 static const char *universal_name_in(file_text file) {
     static const char *const marks[] = {"\\u", "\\U"};

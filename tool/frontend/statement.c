@@ -208,7 +208,7 @@ static for_header scan_header(const char *text, size_t length) {
             continue;
         }
         if (at == '?' && i + 2 < length &&
-            text[i + 1] == '?') { /* a trigraph; none of them stands for a parenthesis */
+            text[i + 1] == '?') { /* a trigraph; none of them means a parenthesis */
             i += 3;
             continue;
         }

@@ -7,7 +7,10 @@
  *  The trees represent the source, without implicit conversions (the nodes' types show them) and
  *  without parentheses (the printer restores those that are needed). Typedefs are resolved.
  *  Whatever the frontend cannot represent exactly becomes an IR_OPAQUE node, about which nothing
- *  may be assumed. */
+ *  may be assumed.
+ *
+ *  "Not in the text form" means that ir_print omits the field, so tests that read the IR as text do
+ *  not see it. */
 #ifndef IR_IR_H
 #define IR_IR_H
 
@@ -152,17 +155,18 @@ typedef struct ir_variable {
     unsigned id;                 /* index in the unit's variables */
     ir_range range;              /* range of its first declarator */
     bool address_taken;          /* its address is taken by &, or it is an array that decays to a
-                                  * pointer outside of a subscript's base and a call's argument */
+                                  * pointer other than as a subscript's base, an operand of *, or an
+                                  * argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
-    bool is_unnamed; /* it comes from another file, and this file's text cannot name it. Not in the
-                      * text form */
+    bool is_unnamed; /* this file's text cannot name it: it comes from another file, or redcc has
+                      * added it. Not in the text form */
     const ir_declared *declared; /* NULL if unknown. Not in the text form */
     const ir_node *stands_for;   /* for a variable that redcc adds: the pointer expression whose
                                   * value it holds (analysis/base/loop_loads.h); NULL for all
                                   * others. Not in the text form */
 } ir_variable;
 
-/** Where a function's body comes from if another file defines it. */
+/** The origin of a function's body that another file defines. */
 typedef struct ir_import {
     const char *file;
     uint64_t digest; /* digest of the definition (ir_digest.h); 0 for a static function, whose
@@ -378,9 +382,9 @@ typedef struct ir_text {
     const char *unseen_word;   /* a name or construct that another compiler may read differently
                                 * than libclang, so that this tree would not be the program
                                 * compiled; NULL if there is none */
-    bool names_optimize;       /* the word "optimize" occurs in the program's own text or in a macro
-                                * of the options. It may be an attribute, which no declaration in
-                                * the tree shows */
+    bool names_optimize;       /* the attribute optimize may occur in the program's own text or in a
+                                * macro of the options, although no declaration in the tree shows
+                                * it */
     bool names_target;         /* the same for the attributes target and target_clones */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
@@ -423,7 +427,7 @@ typedef struct ir_unit {
     ir_directive *directives;
     ir_dialect dialect;
     ir_text text;
-    unsigned error_count;     /* number of compiler errors in the main file and its headers */
+    unsigned error_count;     /* number of compiler errors, in any file */
     unsigned reference_count; /* number of names in the bodies of the main file's functions.
                                * `references` is sorted by offset; the order at equal offsets is
                                * arbitrary. Not in the text form */

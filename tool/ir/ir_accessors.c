@@ -27,15 +27,15 @@ static bool is_of_file(const ir_variable *variable) {
 }
 
 /* Is the variable of file scope or a parameter of `function`? False for a parameter whose row
- * length depends on the function's local variables: the caller cannot spell its type. */
+ * length depends on the function's local variables. */
 static bool can_be_named(const ir_variable *variable, const ir_function *function) {
     return is_of_file(variable) ||
            (variable->storage == IR_PARAMETER && variable->function == function &&
             !ir_type_is_variably_modified(variable->type));
 }
 
-/* Is it an operator or operand that may occur in an address? Others could have effects or costs
- * beyond an address. */
+/* Is it an operator or operand that may occur in an address? Other operators compute more than an
+ * address. */
 static bool is_operator(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -249,7 +249,7 @@ static void simplify_sum(accessors *a, ir_node *node) {
     become_element(a, element, base, subscript);
 }
 
-/* Rewrites *a, where a is an array, as a[0]. */
+/* Rewrites the access *a to an array a as a[0]. */
 static void simplify_array(accessors *a, ir_node *node) {
     ir_type *type = ARENA_NEW(a->memory, ir_type);
     ir_scalar_type(type, ir_scalar_named("int", 3));

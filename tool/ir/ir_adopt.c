@@ -13,7 +13,7 @@ typedef struct adoption {
     ir_unit *from;
     ir_adoptable may_be;
     void *context;
-    map *functions, *variables, *types, *records; /* from objects of `from` to the unit's */
+    map *functions, *variables, *types, *records; /* maps from objects of `from` to the unit's */
     uint64_t *digests; /* digests of the functions of `from`, by id, computed before any of their
                         * nodes change */
     map *own_records;  /* a record's spelling -> a type of the unit */

@@ -45,8 +45,8 @@ bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
                       int64_t *last);
 
-/** Is the variable named only in constant loops of which it is the counter? Then the value that it
- *  has elsewhere does not matter. */
+/** Is the variable named only in constant loops that it counts? Then the value that it has
+ *  elsewhere does not matter. */
 bool counted_constant_sets(const ir_node *node, const ir_variable *variable);
 
 /** Stores bounds of an integer expression's value at its place, derived from constants and from the

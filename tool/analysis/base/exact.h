@@ -9,8 +9,8 @@
 
 #include "ir/ir.h"
 
-/** Is it an integer operation whose result equals the mathematical value modulo 2^w, where w is the
- *  width of its type in bits? These are + - *, signs, and conversions between integers. */
+/** Is it an integer operation with a result that equals the mathematical value modulo 2^w, for a
+ *  type of w bits? These are + - *, signs, and conversions between integers. */
 bool exact_is_operation(const ir_node *node);
 
 /** Is the expression, affine in `counter`, settled: does C's value equal the mathematical value in

@@ -5,8 +5,8 @@
 
 #include "analysis/base/facts.h"
 
-/** What is known of the function that this declaration refers to. EXPORTED_NOTHING if it has a body
- *  here, or if attributes or an asm label may rename it. */
+/** Known properties of the function that this declaration refers to. EXPORTED_NOTHING if it has a
+ *  body here, or if attributes or an asm label may rename it. */
 exported_kind external_kind(const analysis_options *options, const ir_function *function);
 
 #endif

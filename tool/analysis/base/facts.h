@@ -134,7 +134,7 @@ typedef enum source_extent {
     EXTENT_AFFINE,    /* the address is monotonic in the counter, so the extent ends with the rows
                        * of the first and the last iteration. `row` depends only on the counter and
                        * invariants */
-    EXTENT_TOUCHED,   /* the inspector records the address, where the slice reaches `place` */
+    EXTENT_TOUCHED,   /* the inspector records the address when it reaches `place` */
     EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
 
@@ -152,8 +152,8 @@ typedef struct source_loop {
     const ir_node *lower, *bound; /* expressed by the caller's variables */
     ir_operator comparison;       /* the condition is: counter <comparison> bound */
     int64_t step;
-    bool may_end_early; /* if set, this is the innermost loop, and its rows form a span
-                         * (row_steps.h) of which only the first elements may be read */
+    bool may_end_early; /* if set, this is the innermost loop, its rows form a span (row_steps.h),
+                         * and possibly only the first elements of the span are read */
 } source_loop;
 
 /** The integer value + offset, or just the offset if `value` is NULL. */
@@ -178,8 +178,8 @@ typedef struct element_bounds {
     bool is_certain; /* each iteration reads all elements between the bounds */
 } element_bounds;
 
-/** A read of the loop that is compared with what the loop writes, or that determines subscripts.
- *  Also an accumulator in memory (is_scalar) or an own element, which are compared too. */
+/** A read of the loop that is compared with the loop's writes, or that determines subscripts. Also
+ *  an accumulator in memory (is_scalar) or an own element, which are compared too. */
 typedef struct loop_source {
     const char *name;    /* text for messages, such as "x" or "s->x" */
     const ir_node *base; /* the loop-invariant pointer or array from which the address is computed;
@@ -203,7 +203,7 @@ typedef struct loop_source {
     bool is_ahead;    /* for EXTENT_TOUCHED: recorded before a condition inside of `place` decides
                        * whether it is read */
     bool is_repeated; /* for EXTENT_TOUCHED: each iteration executes `place`, and reads the same
-                       * rows as long as nothing is stored */
+                       * rows while nothing is stored */
     unsigned loop_count;      /* for EXTENT_TOUCHED: number of nested loops in a callee around the
                                * read; each of their iterations reads a row */
     const source_loop *loops; /* these loops, the outermost first */
@@ -378,7 +378,7 @@ typedef struct loop_span {
     const ir_variable *others[MOST_STEPPED];
 } loop_span;
 
-/** A read because of which a plan of the loop cannot be kept for later executions. */
+/** A read that prevents keeping a plan of the loop for later executions. */
 typedef struct unkept_read {
     const char *name; /* name of the memory that is read; NULL if there is no such read */
     ir_range range;   /* range of the read, or of the call that makes it */
@@ -406,7 +406,7 @@ typedef struct loop_slice {
                               * leaves the loop. The list is empty if only a callee's assertion may
                               * end the program */
     bool may_abort;          /* an assertion in a called function may end the program */
-    bool has_rows;           /* if false, the slice serves only the touched sources */
+    bool has_rows;           /* if false, the slice is only for the touched sources */
     bool *holds;       /* indexed by node id. Set for each IR_DECLARATOR, IR_EXPRESSION and control
                         * statement in the slice, and the IR_BLOCKs around them. If an update's
                         * condition is too expensive or unsafe to evaluate twice, it is left out;
@@ -415,8 +415,8 @@ typedef struct loop_slice {
                         * sources that need a guard; NULL if there is none */
     bool has_floating_work; /* it has floating-point work, so it may run only if two copies of an
                              * expression give the same bits */
-    bool is_verifiable; /* a plan may be kept as long as the sources marked is_subscript, the key
-                         * and the trip count are unchanged (runtime: REDCC_VERIFIABLE) */
+    bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
+                         * trip count are unchanged (runtime: REDCC_VERIFIABLE) */
     unkept_read unkept; /* if not is_verifiable, the first read that prevents it */
 } loop_slice;
 
@@ -493,7 +493,7 @@ static inline bool verdict_is_written(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_TRANSFORM || verdict->kind == VERDICT_BLOCKS;
 }
 
-/** What is known of a function that another file of the build defines. */
+/** Known properties of a function that another file of the build defines. */
 typedef enum exported_kind {
     EXPORTED_NOTHING,   /* it may do anything */
     EXPORTED_CONST,     /* it has no side effects and reads only its arguments */

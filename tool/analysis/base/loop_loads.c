@@ -27,8 +27,8 @@ static bool is_plain_pointer(const ir_type *type) {
            !type->target->has_address_space;
 }
 
-/* The p of p->a.b.c, where c is a plain pointer; stores the offset of c from p in *offset. NULL if
- * the expression has another form. */
+/* The p of p->a.b.c with a plain pointer c; stores the offset of c from p in *offset. NULL if the
+ * expression has another form. */
 static const ir_node *pointer_under(const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (!is_plain_pointer(node->type))

@@ -265,8 +265,8 @@ bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *functio
     return loop_text_openmp_above(unit, loop) != NULL;
 }
 
-/* An OpenMP pragma, or macro, that may be in a header. Functions of headers are searched this way
- * because their text is not available. */
+/* An OpenMP pragma in the program's headers, or "_Pragma" if a macro may expand to one; NULL if
+ * there is neither. Used for functions of headers, whose text is not available. */
 static const char *openmp_of_headers(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
         if (strstr(unit->text.header_pragmas[i], "omp"))

@@ -27,10 +27,10 @@ bool file_names(const ir_unit *unit, const char *word);
  *  not compiled. */
 uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number);
 
-/** A directive because of which the loop's text is not a single statement in every compilation of
- *  the file, or cannot be copied. NULL if there is none. Permitted are complete groups of
- *  conditional directives, and pragmas that are not compiled, precede the loop, or only affect the
- *  speed of inner loops. */
+/** A directive that keeps the loop's text from being a single statement in every compilation of the
+ *  file, or from being copied. NULL if there is none. Permitted are complete groups of conditional
+ *  directives, and pragmas that are not compiled, precede the loop, or only affect the speed of
+ *  inner loops. */
 const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop);
 
 /** The first name in this range of the main file that is a macro which may expand to a pragma. "\\"

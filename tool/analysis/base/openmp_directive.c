@@ -309,8 +309,8 @@ static const char *number_of_macro(arena *a, const ir_unit *unit, const char *na
     return rest == 0 ? arena_copy(a, number, length) : NULL;
 }
 
-/* The text with macros replaced by the numbers that they stand for. Stores in *macro the first
- * macro that is no number; NULL if there is none. */
+/* The text with macros replaced by their numbers. Stores in *macro the first macro that is no
+ * number; NULL if there is none. */
 static const char *with_numbers(arena *a, const ir_unit *unit, const char *text, uint32_t place,
                                 const char **macro) {
     *macro = NULL;

@@ -45,8 +45,8 @@ typedef struct openmp_directive {
     openmp_construct construct;
     unsigned item_count;
     const openmp_item *items;
-    const char *kept; /* the part that is not understood, because of which the directive must be
-                       * kept; NULL if there is none */
+    const char *kept; /* the part that is not understood, so that the directive must be kept; NULL
+                       * if there is none */
 } openmp_directive;
 
 /** How the clause `schedule` assigns iterations to threads. */

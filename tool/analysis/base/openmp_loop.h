@@ -52,8 +52,8 @@ typedef struct fixed_blocks {
     team_facts team;            /* for OPENMP_FOR */
     const nested_blocks *inner; /* an inner loop that is divided into blocks too if the outer one is
                                  * short; NULL if there is none */
-    bool is_balanced;           /* the `schedule` clause suggests that all iterations take the same
-                                 * time */
+    bool is_balanced;           /* the `schedule` clause, or its absence, suggests that all
+                                 * iterations take the same time */
     const char *lock; /* "atomic" or "critical" if the loop contains one: updates protected by it
                        * happen in any order; NULL if there is none */
     const char *unordered; /* why the updates under `lock` are not made in sequential order; NULL if

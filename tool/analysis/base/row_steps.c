@@ -3,9 +3,9 @@
 
 #include "analysis/base/expression.h"
 
-/* The greatest factor of a counter, as in `x[3 * i + c]`, where one array holds vectors. As with
- * records, the range from the first to the last element also contains other elements; a great
- * factor would include too many. */
+/* The greatest factor of a counter in a subscript such as `x[3 * i + c]` into an array of vectors.
+ * As with records, the range from the first to the last element also contains other elements; a
+ * greater factor would include too many. */
 enum { MOST_FLAT = 16 };
 
 static int64_t if_short(int64_t steps) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Collects what the inspector needs: the slice for rows and touched sources, the sources in the
- * order in which it reads them, and the key. Decides whether sources and key together show when a
- * plan may be reused. */
+/* Collects the contents of the inspector: the slice for rows and touched sources, the sources in
+ * the order in which it reads them, and the key. Decides whether sources and key together show when
+ * a plan may be reused. */
 #include "analysis/inspector/inspection.h"
 
 #include "analysis/base/expression.h"
@@ -120,8 +120,8 @@ static bool is_written(const loop_analysis *j, const ir_node *statement, const i
     return false;
 }
 
-/* Does the row have the same address before `second`, a later statement of the same block, as
- * before `first`, where it is recorded? */
+/* Does the row have the same address before `second` as before `first`, its place of recording?
+ * `second` is a later statement of the same block. */
 static bool stays_until(const loop_analysis *j, const ir_node *row, const ir_node *first,
                         const ir_node *second) {
     if (first == second)
@@ -239,8 +239,8 @@ typedef struct recorded_loads {
     const loop_access *read;
 } recorded_loads;
 
-/* Adds a load that the callee's recorded read implies. Of the read's loops, the load gets those
- * whose counters it mentions. */
+/* Adds a load that the callee's recorded read implies, with those of the read's loops whose
+ * counters the load mentions. */
 static void add_load_in_loops(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
     loop_access load = *of->read;
     load.access.lvalue = node;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Determines what the inspector computes, and whether its plan may be kept for later
+/** Determines the contents of the inspector, and whether its plan may be kept for later
  *  executions. */
 #ifndef ANALYSIS_INSPECTION_H
 #define ANALYSIS_INSPECTION_H

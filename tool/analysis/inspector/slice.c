@@ -169,8 +169,8 @@ static const ir_field *part_of(const ir_node *use) {
     return NULL;
 }
 
-/* The node at the start of the written path, which is the variable's occurrence if the path starts
- * at a variable. */
+/* The variable's occurrence at the start of the written path; NULL if the path does not start at a
+ * variable. */
 static const ir_node *bottom_of(const ir_node *write) {
     const ir_node *node = expression_written(write);
     if (write->kind == IR_UNARY && write->op == IR_OP_ADDRESS)
@@ -456,9 +456,9 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *f
 }
 
 /* ---- loops over blocks ------------------------------------------------------------------------
- * An innermost loop over the rows of a block, inside another loop of the iteration, is recorded as
- * a whole (loop/spans.c). The condition for touching a single row is not worth evaluating there,
- * and its reads determine no subscripts. */
+ * An innermost loop over consecutive rows, inside another loop of the iteration, is recorded as a
+ * whole (loop/spans.c). A condition for touching a single row is not worth evaluating there, and
+ * the reads in it determine no subscripts. */
 
 static ir_node *loop_around(const slicer *s, const ir_node *node) {
     ir_node *outer = node->parent;

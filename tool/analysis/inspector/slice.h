@@ -15,12 +15,13 @@ typedef struct slice_touch {
 } slice_touch;
 
 typedef struct slice {
-    bool *keep;            /* [function->node_count]: the nodes in the slice */
+    bool *keep;            /* keep[id] says whether the function's node with this id is in the
+                            * slice */
     unsigned needed_count; /* number of private variables that the slice uses */
     const ir_variable **needed;
     uint64_t own; /* a set of bits: the indices of own elements whose values the slice needs */
     bool has_floating_work;
-    const ir_node *obstacle; /* the node because of which there is no slice; NULL if there is one */
+    const ir_node *obstacle; /* the node that prevents a slice; NULL if there is a slice */
 } slice;
 
 /** Computes one slice for all touches together. */

@@ -174,7 +174,7 @@ static bool call_updates(const dependence *d, const ir_node *call) {
     return false;
 }
 
-/* Handles a call, whose function may write to what the arguments point to, or update it. */
+/* Handles a call of a function that may write to, or update, the targets of its arguments. */
 static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
     if (!is_dependent && !depends(d, call))
         return;

@@ -16,7 +16,7 @@ typedef struct query {
     unsigned depth;
 } query;
 
-/* What an address is computed from. */
+/* The kinds of values in an address. */
 typedef struct terms {
     bool has_window; /* counters of inner loops whose range changes with the iteration of `loop` */
     bool has_table;  /* values read from memory */
@@ -71,8 +71,8 @@ static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     return child;
 }
 
-/* The only value that the loop assigns to a local pointer, apart from steps; NULL if there is none
- * or more than one. */
+/* The only value that the loop assigns to a local pointer; steps do not count. NULL if there is
+ * none or more than one. */
 static const ir_node *value_in_loop(const query *q, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(q->facts, variable);
     const ir_node *value = NULL;

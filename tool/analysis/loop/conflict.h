@@ -16,8 +16,8 @@ typedef enum conflict_kind {
                        * element */
 } conflict_kind;
 
-/** The object of which the lvalue is a part, such as the complex number in `__real__ z[k]` or a
- *  vector. The lvalue itself if it is no such part. */
+/** The whole object if the lvalue is a part of one, such as the complex number z[k] for `__real__
+ *  z[k]`, or a vector. Otherwise the lvalue itself. */
 const ir_node *conflict_whole(const ir_node *lvalue);
 
 /** Classifies the update of an lvalue by the node `place`, which is the lvalue itself or a call

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Finds reasons not to transform a loop that do not depend on what it computes. */
+/** Finds reasons not to transform a loop that are independent of its computation. */
 #ifndef ANALYSIS_GATE_H
 #define ANALYSIS_GATE_H
 

@@ -25,7 +25,7 @@ typedef struct analyser {
     bool keeps_own;            /* own elements may be replaced by variables (own.h) */
 } analyser;
 
-/** What the analysis has found about an access of the loop. */
+/** The classification of an access of the loop. */
 typedef enum access_class {
     CLASS_OPEN,      /* not classified yet */
     CLASS_SCALAR,    /* an access to a private, stepped or unchanged variable; or a store to an own
@@ -76,7 +76,7 @@ typedef struct left_out {
 } left_out;
 
 /** The facts about the analysed loop. A check receives them as const, including the results of
- *  earlier checks, and returns a result of its own. If the result's `why` is not REASON_NONE, the
+ *  earlier checks, and returns a separate result. If the result's `why` is not REASON_NONE, the
  *  rest of the result is invalid. verdict.c combines the results. A check that adds facts in
  *  several steps works on a copy. */
 typedef struct loop_analysis {
@@ -112,9 +112,9 @@ uint64_t analysis_fingerprint(const loop_analysis *known);
  *  NDEBUG is defined. */
 void analysis_assert_unchanged(const loop_analysis *known, uint64_t before);
 
-/** Creates the reason for which the loop cannot be transformed. It is located at `node`; NULL
- *  stands for the loop. `name` names the cause. For reasons whose message names the loop
- *  (reasons.def), it is the counter's name, or NULL if unknown. */
+/** Creates the reason for which the loop cannot be transformed. It is located at `node`; NULL means
+ *  the loop. `name` names the cause. For reasons whose message names the loop (reasons.def), it is
+ *  the counter's name, or NULL if unknown. */
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name);
 

@@ -107,7 +107,7 @@ static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
                                                                     : FIRST_UNKNOWN;
 }
 
-/* Is each store to the element a statement of its own? */
+/* Is each store to the element a separate statement? */
 static bool stores_alone(const loop_analysis *j, const ir_node *element) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;

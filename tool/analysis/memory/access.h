@@ -38,7 +38,7 @@ typedef struct access {
                                    * lie; NULL if unknown */
 } access;
 
-/** A construct because of which nothing can be assumed about the piece of program. */
+/** A construct that prevents any assumption about the piece of program. */
 typedef struct access_problem {
     reason_id why;
     const ir_node *node;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Determines whether two locations may overlap, at least one of which is written. */
+/** Determines whether two locations may overlap, if at least one of them is written. */
 #ifndef ANALYSIS_ALIAS_H
 #define ANALYSIS_ALIAS_H
 

@@ -125,8 +125,7 @@ static void add_callee_loops(callee_rewriting *r, loop_list *list) {
 }
 
 /* Can the rows of the loops be recorded? A loop that may end early must be the innermost and access
- * consecutive elements. These are recorded as one range, of which the function reads the
- * beginning. */
+ * consecutive elements. These are recorded as one range; the function reads its beginning. */
 static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&

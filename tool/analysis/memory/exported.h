@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Computes what a file tells other files about its functions: summaries that fit into one word. */
+/** Computes summaries of a file's functions for other files. Each fits into one word. */
 #ifndef ANALYSIS_EXPORTED_H
 #define ANALYSIS_EXPORTED_H
 

@@ -11,7 +11,7 @@ typedef struct last_change {
                          * it */
         CHANGE_NONE,    /* no change since the beginning of the function or branch */
         CHANGE_SET,     /* `node` is v = e, v op= e, v++, or a declarator with an initialiser */
-        CHANGE_IF       /* `node` is an `if` of which a branch may change the variable; its
+        CHANGE_IF       /* `node` is an `if`. One of its branches may change the variable; its
                          * condition does not */
     } kind;
     const ir_node *node;

@@ -133,8 +133,8 @@ static bool is_followed(const ir_node *value) {
     return value->kind != IR_INITIALIZERS && expression_is_plain(value);
 }
 
-/* Is the value the result of a call, as in f(...) or (double *)f(...)? It is then a pointer of its
- * own, with an unknown target. */
+/* Is the value the result of a call, as in f(...) or (double *)f(...)? It is then a separate
+ * pointer with an unknown target. */
 static bool is_result(const ir_node *value) {
     while (value->kind == IR_CAST && value->children[0]->type &&
            value->children[0]->type->kind == IR_POINTER)

@@ -52,7 +52,7 @@ static known_value *known_of(bounding *b, const ir_variable *variable) {
     return NULL;
 }
 
-/* What is known of a variable used in the current expression. The expression then depends on the
+/* Known facts about a variable used in the current expression. The expression then depends on the
  * same conditions. */
 static known_value used(bounding *b, const ir_variable *variable) {
     const known_value *known = known_of(b, variable);

@@ -125,7 +125,7 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
-/* What a call does with the target of this argument. The call must name its function. */
+/* How a call uses the target of this argument. The call must name its function. */
 static parameter_effect effect_of_argument(const variable_facts *facts, const ir_node *call,
                                            const ir_node *argument) {
     for (unsigned i = 1; i < call->child_count; i++)

@@ -106,8 +106,9 @@ static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
-/* The row itself, or for a bit-field, which has no address, the enclosing object. NULL if
- * `of_contents` is set for a bit-field, because the object contains bytes that are not read. */
+/* The row itself, or for a bit-field, which has no address, the enclosing object. NULL for a
+ * bit-field that is reached by ->, and also if `of_contents` is set, because the object contains
+ * bytes that are not read. */
 static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
     if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
         return row;
@@ -218,8 +219,8 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
-/* Is the row n elements *(T (*)[n])p behind a pointer (callee_terms.c), of which an execution may
- * read fewer? The object may end after those. */
+/* Is the row n elements *(T (*)[n])p behind a pointer (callee_terms.c), and may an execution read
+ * fewer? The object may end after those. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;
@@ -271,7 +272,7 @@ static bool is_bound(const loop_analysis *j, const ir_node *node) {
            !expression_mentions(node, j->counted.counter) && can_be_read_before(j, node);
 }
 
-/* The row *base, which stands for the whole table where a row is required. */
+/* The row *base, which represents the whole table if a row is required. */
 static const ir_node *first_element(const loop_analysis *j, const element_bounds *bounds) {
     ir_node *row = ir_new(j->an->memory, IR_UNARY, bounds->element, 1);
     row->op = IR_OP_DEREFERENCE;
@@ -306,7 +307,7 @@ static bool is_counter_and_constant(const ir_node *subscript) {
     return subscript->kind == IR_VARIABLE;
 }
 
-/* The bounds of rows all of which inner loops over constants read in each iteration: `for (c = 0; c
+/* The bounds of rows if inner loops over constants read them all in each iteration: `for (c = 0; c
  * < 24; c++) ... centre[c][k]`. NULL if it is another read. */
 static const element_bounds *constant_bounds(const loop_analysis *j, const loop_access *read,
                                              const ir_node *row) {

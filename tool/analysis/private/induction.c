@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* If every iteration adds the same c to v unconditionally, then in iteration t
- *     v = v0 + c * (t - t0),
- * where v0 is the value of v in the first iteration t0. Each iteration can begin with a copy that
- * has this value, and execute its text unchanged. The sum is computed modulo 2^64 and converted to
- * v's type, so it equals the sequential loop's value unless that overflows. If instead each
- * iteration of an inner loop adds c, t - t0 is replaced by the number of inner iterations before t
+/* If every iteration adds the same c to v unconditionally, then in iteration number n, counted from
+ * 0,
+ *     v = v0 + c * n,
+ * where v0 is the value of v before the loop. Each iteration can begin with a copy that has this
+ * value, and execute its text unchanged. The value is computed modulo 2^64 and converted to v's
+ * type, so it equals the sequential loop's value unless that overflows. If instead each iteration
+ * of an inner loop adds c, n is the number of inner iterations before the current outer one
  * (triangle.h). */
 #include "analysis/private/induction.h"
 
@@ -51,8 +52,8 @@ static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool 
     return true;
 }
 
-/* Sets the sum of all steps in the loop, of which at most one is not constant. Returns false if the
- * loop writes the variable in another way, or if the sum does not fit into an int32_t. */
+/* Sets the sum of all steps in the loop. At most one of them may be not constant. Returns false if
+ * the loop writes the variable in another way, or if the sum does not fit into an int32_t. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     const loop_start *start = analysis_start_of(j, variable);

@@ -17,7 +17,7 @@ static bool is_statement(const ir_node *write, const ir_variable *variable) {
            !(statement->parent->kind == IR_FOR && statement->parent->children[3] != statement);
 }
 
-/* Is every assignment of the variable in the loop a statement of its own? */
+/* Is every assignment of the variable in the loop a separate statement? */
 static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     if (!ir_type_is_scalar(variable->type) || variable->type->is_volatile ||

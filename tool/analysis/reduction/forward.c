@@ -4,7 +4,7 @@
  *   iteration, and it is the same expression, whose operands do not change in between;
  * - no other write between the store and the read can change the element. This must be proved: a
  *   guard, which compares reads with each array, would always fail for the array stored to;
- * - it is in the loop's text, where a variable's name can replace it.
+ * - it is in the loop's text, so that a variable's name can replace it.
  * If other expressions certainly read the same memory, the loop is refused; if they may read it,
  * they are guarded. */
 #include "analysis/reduction/forward.h"

@@ -9,8 +9,8 @@
 
 /* ---- the base ------------------------------------------------------------------------------- */
 
-/* An example is row[1] or p->x, where the loop defines double *row = b[k] or p = &b[k]. That
- * definition contains the base. */
+/* An example is row[1] or p->x after double *row = b[k] or p = &b[k] in the loop. That definition
+ * contains the base. */
 bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update) {
     const ir_node *target = update->access.form.target;
     const ir_node *base = update->where.base;
@@ -126,7 +126,7 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
         if (known->array.is_scattered != (table != NULL) ||
             !expression_same(known->array.base, base))
             continue;
-        /* the same base means the same array, of which different fields are disjoint */
+        /* the same base means the same array; different fields of it are disjoint */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
         bool other_type = !ir_type_equal(known->array.element, update->access.type);
         bool other_limit = known->array.limit != kind.limit;

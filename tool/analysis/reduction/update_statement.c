@@ -31,7 +31,7 @@ static bool is_write_of(const ir_node *expression, const ir_node *element) {
     return written && expression_same(written, element);
 }
 
-/* Do all statements in it, apart from blocks and conditions, assign the element? Expressions in it
+/* Do all statements in it assign the element? Blocks and conditions do not count. Expressions in it
  * may have other effects. */
 static bool writes_only(const ir_node *statement, const ir_node *element) {
     switch (statement->kind) {

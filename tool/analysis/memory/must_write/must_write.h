@@ -46,7 +46,7 @@ typedef struct private_result {
 private_result must_write_check(must_write *prover, const ir_node *body,
                                 const ir_variable *variable);
 
-/** What a call does with the target of a pointer parameter, whatever object that is. */
+/** How a call uses the target of a pointer parameter, whatever object that is. */
 typedef struct parameter_effect {
     bool keeps_address; /* the call may store the address, return it, or pass it to unknown code */
     bool is_known;      /* the address is not stored, and all accesses are in bytes [0, end) from
@@ -57,7 +57,7 @@ typedef struct parameter_effect {
     bool writes_all; /* all of [0, end) has definitely been written when the call returns */
 } parameter_effect;
 
-/** What a function with a known body does with the target of its parameter `index`. Results are
+/** How a function with a known body uses the target of its parameter `index`. Results are
  *  cached. */
 parameter_effect must_write_parameter(must_write *prover, const ir_function *function,
                                       unsigned index);

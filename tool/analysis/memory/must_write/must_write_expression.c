@@ -183,7 +183,7 @@ static value evaluate_unary(run *r, state *s, const ir_node *node) {
     }
 }
 
-/* Evaluates a && b or a || b, where b may be skipped. */
+/* Evaluates a && b or a || b; b may be skipped. */
 static value evaluate_short_circuit(run *r, state *s, const ir_node *node) {
     const bool is_and = node->op == IR_OP_AND;
     const value left = run_evaluate(r, s, node->children[0]);

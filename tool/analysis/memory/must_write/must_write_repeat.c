@@ -70,7 +70,7 @@ static bool same_address_of(const twin_loops *twins, const ir_node *a, const ir_
 }
 
 /* Are the trees equal, if counters of the two loops count as equal and all other variables are
- * unchanged between the loops? The array's own name stands for its address. Neither tree may read
+ * unchanged between the loops? The array's own name counts as its address. Neither tree may read
  * memory. */
 static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     if (expression_is_variable(a, twins->r->object))

@@ -7,7 +7,7 @@
 #include "analysis/memory/must_write/must_write.h"
 #include "analysis/memory/must_write/must_write_state.h"
 
-/** What a call of a function with these arguments does with the object. */
+/** The effect that a call of a function with these arguments has on the object. */
 typedef struct call_summary {
     struct call_summary *next;
     const ir_function *function;
@@ -67,7 +67,7 @@ bool value_compute(ir_operator op, int64_t a, int64_t b, int64_t *result);
 int64_t value_pointee_size(const ir_type *type);
 /** The pointer moved by `number` elements of `element` bytes; backwards if is_back. */
 value value_move(value pointer, value number, int64_t element, bool is_back);
-/** The value of left <op> right, where `node` gives the operator and the types. */
+/** The value of left <op> right; `node` has the operator and the types. */
 value value_combine(const ir_node *node, value left, value right);
 
 /* ---- the interpreter ------------------------------------------------------------------------- */
@@ -106,8 +106,8 @@ void run_end_unsequenced(unsequenced *u, state *s);
 /* ---- places of lvalues (must_write_place.c)
  * ------------------------------------------------------------- */
 
-/** Where an lvalue is: in the analysed object, in a local variable whose value is tracked, or
- *  elsewhere. */
+/** The kinds of places of an lvalue: in the analysed object, in a local variable with a tracked
+ *  value, or elsewhere. */
 typedef enum place_kind { PLACE_ELSEWHERE, PLACE_OBJECT, PLACE_LOCAL } place_kind;
 
 typedef struct place {

@@ -120,7 +120,7 @@ static bool execute_known_iterations(run *r, state *s, const loop_parts *loop, s
     return true;
 }
 
-/* Executes the loop from its condition on, one iteration after the other as long as the condition's
+/* Executes the loop from its condition on, one iteration after the other while the condition's
  * value is known. */
 static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks) {
     const bool has_effects = loop->condition != NULL && run_has_effects(r, loop->condition);
