@@ -5,7 +5,7 @@
 
 #include "ir/ir.h"
 
-/** Under which standard the plain name (without __builtin_) also belongs to the C library. A
+/** Says under which standard the plain name (without __builtin_) also belongs to the C library. A
  *  program may define a function with a name that no standard reserves. */
 typedef enum library_standard {
     LIBRARY_C89,

@@ -223,8 +223,7 @@ static bool walk_assertion(access_walk *w, const ir_node *node) {
         return false;
     access_walk_node(w, condition);
     VECTOR_PUSH(w->memory, &w->list->ends, node);
-    w->condition_depth++; /* never decreased, because what follows is skipped if the assertion
-                           * fails */
+    w->condition_depth++; /* never decreased: a failure skips what follows */
     return true;
 }
 
