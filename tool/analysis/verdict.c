@@ -319,8 +319,8 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
 }
 
 /* Analyses the loop again, with variables in place of pointers that it loads, if `found` is a
- * refusal that this may change. That is the case if a pointer is read only under conditions, if its
- * target must be known when the loop begins, or if the elements behind it may be own elements. */
+ * refusal that this may change. It may if a pointer is read only under conditions, if its target
+ * must be known when the loop begins, or if the elements behind it may be own elements. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     const reason_id why = found.why.id;

@@ -11,7 +11,7 @@
 #include "frontend/lexing.h"
 #include "frontend/predefined.h"
 
-/* An attribute and a pragma of gcc that reverse the byte order of numbers in memory. clang ignores
+/* An attribute and a pragma of gcc that set the byte order of numbers in memory. clang ignores
  * both. */
 static const char storage_order[] = "scalar_storage_order";
 

@@ -75,12 +75,12 @@ typedef struct converter {
     CXFile main_file;
     struct converted converted;
     struct expansions expansions;
-    bool has_begun; /* the visit of macro definitions has reached the main file. Until then, macros
-                     * are defined before it begins */
+    bool has_begun; /* the visit of macro definitions has reached the main file. Until then,
+                     * macros are defined before it begins */
     struct compiler_facts compiler;
     struct reference_table *references;
-    bool has_assembler;           /* the file has `asm` outside of functions, which may define names
-                                   * of objects */
+    bool has_assembler;           /* the file has `asm` outside of functions, which may define
+                                   * names of objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables, in order of discovery */
@@ -156,9 +156,9 @@ bool has_cleanup(CXCursor declaration);
 /** May the variable be another name for an object? An alias attribute, an asm label, or assembler
  *  text in the file can cause this. */
 bool has_other_name(const converter *c, CXCursor declaration);
-/** Applies pragmas that clang's tree does not show. A name in `#pragma weak a` or `#pragma weak a =
- *  b` may be replaced or have another name. A variable in `#pragma omp threadprivate(a)` is
- *  thread-local. */
+/** Applies pragmas that clang's tree does not show. A name in `#pragma weak a` or
+ *  `#pragma weak a = b` may be replaced or have another name. A variable in
+ *  `#pragma omp threadprivate(a)` is thread-local. */
 void mark_names_in_pragmas(converter *c);
 /** Does the typedef or record have the attribute may_alias? */
 bool has_may_alias(CXCursor declaration);

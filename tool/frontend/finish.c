@@ -115,7 +115,8 @@ void finish_unit(converter *c) {
     order_functions(c);
     number_variables(c);
     for (unsigned i = 0; i < c->unit->variable_count; i++)
-        assert(c->unit->variables[i]->id == i); /* the id is used as an index of arrays of facts */
+        assert(c->unit->variables[i]->id == i); /* the id is used as an index of arrays of
+                                                 * facts */
     mark_interposable(c);
     for (unsigned i = 0; i < c->unit->function_count; i++)
         assert(c->unit->functions[i]->id == i);

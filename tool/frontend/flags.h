@@ -28,7 +28,8 @@ typedef struct parse_flags {
                              * compiler's own */
     bool is_sanitized;      /* -fsanitize= names a sanitizer by which undefined arithmetic may end
                              * the program */
-    bool may_be_interposed; /* -fPIC: another definition may replace an exported one at run time */
+    bool may_be_interposed; /* -fPIC: another definition may replace an exported one at run
+                             * time */
     bool no_interposition;  /* -fno-semantic-interposition: only an equivalent definition may
                              * replace it */
     bool math_errno;        /* mathematical functions may set errno */

@@ -9,8 +9,8 @@
 
 struct reference_table {
     map *declared;   /* canonical declaration -> ir_declared */
-    map *known;      /* any declaration -> ir_declared, to avoid the slower search for the canonical
-                      * declaration */
+    map *known;      /* any declaration -> ir_declared, to avoid the slower search for the
+                      * canonical declaration */
     map *file_names; /* CXFile -> its path */
     VECTOR(ir_reference) items;
     VECTOR(ir_typed_place) typed_places;
@@ -139,7 +139,8 @@ static int compare_typed_places(const void *left, const void *right) {
 }
 
 void finish_references(converter *c) {
-    assert(!c->unit->references && !c->unit->typed_places); /* this function is called only once */
+    assert(!c->unit->references && !c->unit->typed_places); /* this function is called only
+                                                             * once */
     struct reference_table *table = c->references;
     if (table->items.count > 0)
         qsort(table->items.items, table->items.count, sizeof *table->items.items,

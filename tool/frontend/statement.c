@@ -38,8 +38,8 @@ static void add_parts(converter *c, ir_node *node, ir_node *block) {
     block->children[block->child_count++] = part;
 }
 
-/* Makes the statement `a += e, b -= e;` a block { a += e; b -= e; } whose parts all have the range
- * of the whole, which can only be replaced as a whole. */
+/* Makes the statement `a += e, b -= e;` a block { a += e; b -= e; }. All its parts have the range
+ * of the whole statement, which can only be replaced as a whole. */
 static ir_node *sequence(converter *c, ir_node *statement) {
     ir_node *all = statement->children[0];
     ir_node *block = ir_new(c->arena, IR_BLOCK, NULL, count_parts(all));

@@ -129,7 +129,8 @@ static const char *qualified_function_pointer(converter *c, const ir_type *type,
 static ir_type *qualified(converter *c, const ir_type *type, CXType quals) {
     ir_type *copy = ARENA_NEW(c->arena, ir_type);
     *copy = *type;
-    if (type->kind == IR_ARRAY) { /* qualifiers of an array apply to its elements (C17 6.7.3 p9) */
+    if (type->kind == IR_ARRAY) { /* qualifiers of an array apply to its elements (C17 6.7.3
+                                   * p9) */
         copy->target = qualified(c, type->target, quals);
         if (copy->spelling != NULL)
             copy->spelling = ir_type_default_spelling(c->arena, copy);

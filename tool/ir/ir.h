@@ -36,8 +36,8 @@ typedef struct ir_declared {
     const char *file;              /* NULL if it is in the main file */
     uint32_t offset;               /* offset of the name in the first declaration; if a macro
                                     * produces it, of the macro's expansion */
-    bool is_external;              /* has external linkage, so the same name in another file is the
-                                    * same object */
+    bool is_external;              /* has external linkage, so the same name in another file is
+                                    * the same object */
     const struct ir_declared *tag; /* if this is a type name: the structure, union or enumeration
                                     * that it names or points to; NULL if none */
 } ir_declared;
@@ -88,7 +88,8 @@ struct ir_record {
     bool is_complete;
     int64_t size;         /* in bytes; -1 if unknown */
     int64_t alignment;    /* in bytes; 0 if unknown. Not in the text form */
-    const char *spelling; /* how C names the type: "struct node", "vec"; NULL if C cannot name it */
+    const char *spelling; /* how C names the type: "struct node", "vec"; NULL if C cannot name
+                           * it */
     unsigned field_count;
     const ir_field *fields;
 };
@@ -98,8 +99,8 @@ struct ir_record {
 struct ir_type {
     ir_type_kind kind;
     bool is_signed;    /* of an integer */
-    bool wraps;        /* the type is signed and its overflow is defined (-fwrapv). Not in the text
-                        * form */
+    bool wraps;        /* the type is signed and its overflow is defined (-fwrapv). Not in the
+                        * text form */
     bool is_character; /* char, signed char or unsigned char: an lvalue of this type may alias any
                         * object */
     bool is_const, is_volatile, is_restrict, is_atomic;
@@ -109,8 +110,8 @@ struct ir_type {
     const ir_type *target;  /* the type pointed to, the element's type, or the function's result
                              * type */
     const ir_record *record;
-    const char *spelling;   /* the type as C writes it in a cast: "double (*)[3]"; NULL if C cannot
-                             * name it */
+    const char *spelling;   /* the type as C writes it in a cast: "double (*)[3]"; NULL if C
+                             * cannot name it */
     const ir_declared *tag; /* declaration of the record or enumeration. Not in the text form */
 };
 
@@ -155,8 +156,8 @@ typedef struct ir_variable {
     unsigned id;                 /* index in the unit's variables */
     ir_range range;              /* range of its first declarator */
     bool address_taken;          /* its address is taken by &, or it is an array that decays to a
-                                  * pointer other than as a subscript's base, an operand of *, or an
-                                  * argument */
+                                  * pointer other than as a subscript's base, an operand of *, or
+                                  * an argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
     bool is_unnamed; /* this file's text cannot name it: it comes from another file, or redcc has
                       * added it. Not in the text form */
@@ -229,8 +230,8 @@ typedef enum ir_kind {
     IR_CALL,         /* callee, arguments */
     IR_CAST,         /* operand; type. Only casts that the source contains */
     IR_SIZEOF,       /* text; value if it is constant */
-    IR_INITIALIZERS, /* the values between braces, in source order; flag IR_DESIGNATED if any has a
-                      * designator */
+    IR_INITIALIZERS, /* the values between braces, in source order; flag IR_DESIGNATED if any has
+                      * a designator */
     IR_OPAQUE,       /* text names the construct; the children are its operands, if known. It may
                       * also be a statement (statement expression, inline assembly, ...) */
     /* Statements, which have no `type`. */
@@ -294,29 +295,30 @@ typedef enum ir_operator {
 enum {
     IR_ARROW = 1,
     IR_DESIGNATED = 2,
-    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body or a macro's argument, so its
-                        * bytes cannot be edited. Not set on a statement that contains the whole
-                        * expansion at its end (or, except for loops, at its beginning): that
-                        * statement may be replaced as a whole */
+    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body or a macro's argument, so
+                        * its bytes cannot be edited. Not set on a statement that contains the
+                        * whole expansion at its end (or, except for loops, at its beginning):
+                        * that statement may be replaced as a whole */
     IR_HAS_VALUE = 8,  /* `value` is its constant integer value */
     IR_COMPOUND_LITERAL = 16, /* the IR_INITIALIZERS node is a compound literal */
     IR_SEQUENCE = 64,         /* the block is a comma expression used as a statement. Its parts are
                                * IR_FROM_MACRO and have the block's range, which excludes the `;` */
-    IR_DEAD = 128,    /* an empty block (child_count is 0) that replaces a statement which is never
-                       * executed (analysis/base/dead_branches.h). Copies of the text omit its
-                       * bytes. children[0] is the replaced statement, which the text form shows */
+    IR_DEAD = 128,    /* an empty block (child_count is 0) that replaces a statement which is
+                       * never executed (analysis/base/dead_branches.h). Copies of the text omit
+                       * its bytes. children[0] is the replaced statement, which the text form
+                       * shows */
     IR_FROM_CALL = 32 /* the node replaces a call and reads file-scope variables that the call's
-                       * text does not name (ir_accessors.h). The call's text therefore must not be
-                       * copied to a place with other variables or other memory. IR_FROM_MACRO is
-                       * set too */
+                       * text does not name (ir_accessors.h). The call's text therefore must not
+                       * be copied to a place with other variables or other memory. IR_FROM_MACRO
+                       * is set too */
 };
 
 struct ir_node {
     ir_kind kind;
     ir_operator op;
     unsigned flags;
-    unsigned id; /* position in its function in preorder, from 0; index of arrays with one entry per
-                  * node */
+    unsigned id; /* position in its function in preorder, from 0; index of arrays with one entry
+                  * per node */
     unsigned child_count;
     ir_node **children;
     ir_node *parent; /* NULL for a body, and for nodes outside of functions */
@@ -328,7 +330,8 @@ struct ir_node {
     int64_t value;
     ir_range range; /* the text of the expression or statement. Excludes the `;` of expression
                      * statements, return, break, continue, goto and do; includes it for
-                     * declarations. If macros are involved, the range of the outermost expansion */
+                     * declarations. If macros are involved, the range of the outermost
+                     * expansion */
 };
 
 /* ---- the unit ------------------------------------------------------------------------------ */
@@ -345,8 +348,8 @@ typedef struct ir_directive {
     ir_directive_kind kind;
     ir_range range; /* range of the logical line (after joining lines that end in a backslash) */
     const char *text;
-    bool is_skipped; /* the text after the directive is not compiled. Set for a pragma in a skipped
-                      * branch, and for an #if or #else that begins one */
+    bool is_skipped; /* the text after the directive is not compiled. Set for a pragma in a
+                      * skipped branch, and for an #if or #else that begins one */
 } ir_directive;
 
 /** The C dialect that the compiler's options select. Only strict_aliasing is in the text form. */
@@ -359,10 +362,11 @@ typedef struct ir_dialect {
     bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
     bool replaces_openmp; /* a loop's OpenMP directives may be dropped: redcc parallelises the loop
                              itself */
-    const char *refusing_option; /* an option that makes the compiled program differ from this tree;
-                                  * NULL if there is none */
-    const char *inexact_option;  /* an option that lets the bits of floating-point results depend on
-                                  * other code in the same compilation; NULL if there is none */
+    const char *refusing_option; /* an option that makes the compiled program differ from this
+                                  * tree; NULL if there is none */
+    const char *inexact_option;  /* an option that lets the bits of floating-point results depend
+                                  * on other code in the same compilation; NULL if there is
+                                  * none */
 } ir_dialect;
 
 /** An #include directive that names one of the program's own headers. */
@@ -382,30 +386,30 @@ typedef struct ir_text {
     const char *unseen_word;   /* a name or construct that another compiler may read differently
                                 * than libclang, so that this tree would not be the program
                                 * compiled; NULL if there is none */
-    bool names_optimize;       /* the attribute optimize may occur in the program's own text or in a
-                                * macro of the options, although no declaration in the tree shows
-                                * it */
+    bool names_optimize;       /* the attribute optimize may occur in the program's own text or in
+                                * a macro of the options, although no declaration in the tree
+                                * shows it */
     bool names_target;         /* the same for the attributes target and target_clones */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
     unsigned runtime_name_count; /* number of names in texts and options that begin like the
                                   * runtime's names */
     const char **runtime_names;
-    unsigned header_pragma_count; /* number of pragmas in the program's own headers; header_pragmas
-                                   * has their texts */
+    unsigned header_pragma_count; /* number of pragmas in the program's own headers;
+                                   * header_pragmas has their texts */
     const char **header_pragmas;
     map *macros;        /* name of each macro defined anywhere -> IR_MACRO_AS_OBJECT, or
-                         * IR_MACRO_AS_FUNCTION if all its definitions have parameters. Macros known to
+                         * IR_MACRO_AS_FUNCTION if every definition has parameters. Macros known to
                          * expand to their own name are left out. NULL if there are none */
-    map *macros_before; /* the same for macros that are defined before the main file begins (by the
-                         * command line, or by a file that it includes), without the compiler's
-                         * predefined ones */
+    map *macros_before; /* the same for macros that are defined before the main file begins (by
+                         * the command line, or by a file that it includes), without the
+                         * compiler's predefined ones */
     map *pragma_macros; /* the set of the program's macros that may expand to a pragma, by name.
                          * NULL if there are none */
     bool may_make_fenv_access; /* pragma_macros is set, and FENV_ACCESS occurs somewhere */
     map *names;        /* name of each function, type, tag, enumerator and file-scope variable that
-                        * the program or its headers declare -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER.
-                        * NULL if there are none */
+                        * the program or its headers declare -> IR_NAME_AS_QUERY or
+                        * IR_NAME_AS_OTHER. NULL if there are none */
     map *inner_names;  /* the set of names that function bodies declare as enumerators, types or
                         * tags. NULL if there are none */
     map *header_loops; /* each loop whose text is in one of the program's own headers (key: the
@@ -423,7 +427,8 @@ typedef struct ir_unit {
     ir_function **functions;
     unsigned variable_count; /* number of all variables; the id is the index */
     ir_variable **variables;
-    unsigned directive_count; /* number of directives in the main file; they are in source order */
+    unsigned directive_count; /* number of directives in the main file; they are in source
+                               * order */
     ir_directive *directives;
     ir_dialect dialect;
     ir_text text;

@@ -8,8 +8,8 @@
 
 enum {
     MOST_NODES = 200
-}; /* nodes of one address. Nested accessor calls in arguments can multiply
-    * them */
+}; /* nodes of one address. Nested accessor calls in arguments can
+    * multiply them */
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
 

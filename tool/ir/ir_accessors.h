@@ -13,10 +13,10 @@
 /** Replaces each call of an accessor by the address that it computes, in all functions of the unit.
  *  Call it before ir_finish_function, when the accessors' linkage is known.
  *
- *  A call is replaced only if the accessor's body is one return of an expression and neither it nor
- *  the arguments have side effects; no other definition may replace the accessor; it is defined
- *  before the caller; and no variable of the caller hides a file-scope name in the expression. The
- *  new nodes have the range of the call and are IR_FROM_MACRO.
+ *  The accessor's body must be one return of an expression. Neither it nor the arguments may have
+ *  side effects. No other definition may replace the accessor, and it must be defined before the
+ *  caller. No variable of the caller may hide a file-scope name in the expression. The new nodes
+ *  have the range of the call and are IR_FROM_MACRO.
  *
  *  It then writes *(p + k) as p[k], (p + k)->m as p[k].m, *(p + i - k) as p[(long)i - k], and *a of
  *  an array a as a[0]. */

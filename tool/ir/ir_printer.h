@@ -15,16 +15,16 @@ typedef struct ir_printer {
     const ir_unit *unit;               /* NULL when a single node is printed; then names have no
                                         * numbers */
     VECTOR(const ir_record *) records; /* all records that are reachable, in order of first use */
-    map *record_numbers;               /* record -> its number among records of the same name, from
-                                        * 1 */
+    map *record_numbers;               /* record -> its number among records of the same name,
+                                        * from 1 */
     map *record_names;                 /* name -> number of records that have it */
     map *seen_types;
     map *variable_names;        /* name (for locals: "id of the function, name") -> number of
                                  * variables that have it */
     unsigned *variable_numbers; /* by variable id: its number among variables of the same name in
                                  * the file and its function */
-    unsigned *function_numbers; /* by function id: its number among functions of the same name (GNU
-                                 * C allows overloading) */
+    unsigned *function_numbers; /* by function id: its number among functions of the same name
+                                 * (GNU C allows overloading) */
     ir_variable ***undeclared;  /* by function id: a NULL-terminated list of the locals without a
                                  * declarator in the function's body */
 } ir_printer;

@@ -6,12 +6,13 @@
 #include "analysis/base/facts.h"
 
 /** May an integer counter wrap around before it reaches the bound, or may a conversion change the
- *  counter or the bound in the comparison? Requires counter, lower, bound, comparison and step. */
+ *  counter or the bound in the comparison? The loop's counter, lower, bound, comparison and step
+ *  must be set. */
 bool counted_wraps(const counted_loop *loop);
 
 /** Does the counter's final value, computed in 64 bits, show whether the counter wrapped around?
- *  True for an unsigned counter of at least 4 bytes that is compared by < with a bound no larger
- *  than it, in steps greater than 1 or not constant. */
+ *  True for an unsigned counter of at least 4 bytes that is compared by < with a bound of no wider
+ *  type. Its step must be greater than 1 or not constant. */
 bool counted_wrap_is_seen(const counted_loop *loop);
 
 #endif

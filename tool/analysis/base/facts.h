@@ -53,19 +53,20 @@ typedef struct counted_loop {
                            * (while and do loops) */
     const ir_node *bound; /* loop-invariant expression */
     const ir_variable *bound_variable; /* a variable that the header sets to `bound` and that the
-                                        * loop uses only in its condition; NULL if there is none */
+                                        * loop uses only in its condition; NULL if there is
+                                        * none */
     unsigned start_count;
     loop_start starts[4];   /* variables other than the counter that the header sets */
-    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL or NOT_EQUAL (step 1 or -1),
-                             * with the counter on the left */
+    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL or NOT_EQUAL (step 1 or
+                             * -1), with the counter on the left */
     int64_t ahead; /* the condition is: counter + ahead <comparison> bound. A constant; it may
                     * differ from 0 only if the counter is an integer incremented by 1 */
     int64_t step;  /* non-zero constant whose sign agrees with the comparison; in bytes if the
                     * counter is a pointer */
-    const ir_node *stride; /* if not NULL, an integer counter changes by step * stride, and step is
-                            * 1 or -1. The stride is an expression of invariant variables; generated
-                            * code checks that it is at least 1. If NULL, the counter changes by
-                            * `step` */
+    const ir_node *stride; /* if not NULL, an integer counter changes by step * stride, and step
+                            * is 1 or -1. The stride is an expression of invariant variables;
+                            * generated code checks that it is at least 1. If NULL, the counter
+                            * changes by `step` */
     const ir_node *body;   /* the statement executed in each iteration. In a while or do loop its
                             * last statement may be `increment`, which the generated copy of the
                             * body omits */
@@ -75,8 +76,8 @@ typedef struct counted_loop {
                         * it */
     bool steps_first;  /* the condition steps the counter before the body, so the first iteration
                         * has `lower` plus one step */
-    bool ends_below;   /* the condition steps the counter after comparing it, so an unsigned counter
-                        * ends one step below 0 */
+    bool ends_below;   /* the condition steps the counter after comparing it, so an unsigned
+                        * counter ends one step below 0 */
 } counted_loop;
 
 /* ---- arrays, updates ----------------------------------------------------------------------- */
@@ -94,8 +95,8 @@ typedef enum reduction_operator {
 const char *reduction_operator_spelling(reduction_operator op);
 
 typedef struct reduction_array {
-    const ir_node *base;    /* the invariant lvalue from which elements are reached, such as `b` or
-                             * `s->b`; of array or pointer type */
+    const ir_node *base;    /* the invariant lvalue from which elements are reached, such as `b`
+                             * or `s->b`; of array or pointer type */
     const char *name;       /* the text of `base` */
     const ir_type *element; /* type of an element, a scalar */
     reduction_operator op;  /* the operator of the updates; if order_is_kept, that of the first
@@ -109,21 +110,21 @@ typedef struct reduction_array {
     bool is_scattered;      /* the elements are reached through pointers that iterations load from
                              * `base`, as in rows[k][c] with the base rows. They may be anywhere,
                              * with other data between them. order_is_kept is set */
-    bool is_interleaved;    /* other data are between these elements, or are read through `base`, so
-                             * private copies are impossible (runtime: REDCC_OTHER_TYPE) */
+    bool is_interleaved;    /* other data are between these elements, or are read through `base`,
+                             * so private copies are impossible (runtime: REDCC_OTHER_TYPE) */
 } reduction_array;
 
 typedef struct reduction_update {
-    const ir_node *statement; /* the statement that the owner-checked body encloses in a test of the
-                               * owner: an IR_EXPRESSION, or an IR_IF whose condition reads the
-                               * element. It writes nothing but the element */
-    const ir_node *last;      /* if several statements are enclosed together, the last of them, and
-                               * `statement` is the first; NULL if there is only one. If it is a
-                               * declaration, this is its declarator */
+    const ir_node *statement; /* the statement that the owner-checked body encloses in a test of
+                               * the owner: an IR_EXPRESSION, or an IR_IF whose condition reads
+                               * the element. It writes nothing but the element */
+    const ir_node *last;      /* if several statements are enclosed together, the last of them,
+                               * and `statement` is the first; NULL if there is only one. If it is
+                               * a declaration, this is its declarator */
     const ir_node *target;    /* the updated lvalue, such as b[i][c] */
     const ir_node *row;       /* the part of `target` whose address the inspector records: b[i] if
-                               * all further subscripts are proved to stay inside the row, otherwise
-                               * `target` itself */
+                               * all further subscripts are proved to stay inside the row,
+                               * otherwise `target` itself */
     unsigned array;           /* index in `arrays` */
 } reduction_update;
 
@@ -132,8 +133,8 @@ typedef struct reduction_update {
 typedef enum source_extent {
     EXTENT_INVARIANT, /* the same address in all iterations: sizeof(row) bytes at &row */
     EXTENT_AFFINE,    /* the address is monotonic in the counter, so the extent ends with the rows
-                       * of the first and the last iteration. `row` depends only on the counter and
-                       * invariants */
+                       * of the first and the last iteration. `row` depends only on the counter
+                       * and invariants */
     EXTENT_TOUCHED,   /* the inspector records the address when it reaches `place` */
     EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
@@ -182,8 +183,9 @@ typedef struct element_bounds {
  *  an accumulator in memory (is_scalar) or an own element, which are compared too. */
 typedef struct loop_source {
     const char *name;    /* text for messages, such as "x" or "s->x" */
-    const ir_node *base; /* the loop-invariant pointer or array from which the address is computed;
-                          * NULL if the address comes from pointers that the slice reads */
+    const ir_node *base; /* the loop-invariant pointer or array from which the address is
+                          * computed; NULL if the address comes from pointers that the slice
+                          * reads */
     const ir_node *row;  /* the lvalue that is read, expressed by the caller's variables */
     source_extent extent;
     const ir_node *place; /* for EXTENT_TOUCHED: the statement of the loop before which the
@@ -195,8 +197,8 @@ typedef struct loop_source {
     bool meets_scalars;   /* it may overlap a scalar for which is_scalar is set */
     bool meets_arrays;    /* it may overlap a reduction array, as far as the analysis can tell */
     bool is_sometimes;    /* only some iterations read it, and in the others its address may be
-                           * invalid. If possible the address is computed as a number (row_address.h);
-                           * otherwise the extent is EXTENT_TOUCHED */
+                           * invalid. If possible the address is computed as a number
+                           * (row_address.h); otherwise the extent is EXTENT_TOUCHED */
     bool is_checked;      /* for EXTENT_AFFINE: between the first and the last iteration, subscripts
                            * may wrap around, or may be out of bounds there, so both ends must be
                            * computed with checks (exact.h) */
@@ -214,7 +216,8 @@ typedef struct loop_source {
 } loop_source;
 
 /** An inner `for` whose trip count depends linearly on the counter i of the analysed loop, so that
- *  the two form a triangle: `for (j = i + c; j < end; j++)` or `for (j = end; j < i + c; j++)`.
+ *  the two form a triangle:
+ *      for (j = i + c; j < end; j++) or for (j = end; j < i + c; j++)
  *  Both steps are 1. The trip count in iteration i is `offset` + end - i, or with is_below `offset`
  *  + i - end; 0 if that is negative. */
 typedef struct triangle {
@@ -230,22 +233,22 @@ typedef struct private_variable {
     bool is_live_after;           /* live-out (used after the loop), and proved to be assigned in
                                    * every iteration */
     bool is_conditional_live_out; /* live-out, but some iterations leave it unchanged (conditional
-                                   * lastprivate). A scalar that separate statements (IR_EXPRESSION)
-                                   * assign */
+                                   * lastprivate). A scalar that separate statements
+                                   * (IR_EXPRESSION) assign */
     bool is_stepped;     /* an integer or pointer whose steps in an iteration add up to the same
-                          * `step` in every iteration (an induction variable). Its value is the one
-                          * on entry plus the steps of all preceding iterations */
-    bool is_step_wanted; /* for is_stepped: its last value is needed, because it is live-out or the
-                          * header does not set it */
+                          * `step` in every iteration (an induction variable). Its value is the
+                          * one on entry plus the steps of all preceding iterations */
+    bool is_step_wanted; /* for is_stepped: its last value is needed, because it is live-out or
+                          * the header does not set it */
     bool is_in_slice;    /* for is_stepped: the inspector uses it */
     int64_t step;
     const ir_node *stride; /* for is_stepped: an integer expression of invariant local variables
                             * that each iteration adds as well; NULL if there is none */
     bool is_down;          /* `stride` is subtracted */
-    triangle inner;       /* for is_stepped: if inner.loop is set, the iterations of that inner loop
-                           * step the variable, not those of the analysed loop */
-    const ir_node *entry; /* for is_stepped: the value to which the header sets it; NULL if it
-                           * begins with its value before the loop */
+    triangle inner;        /* for is_stepped: if inner.loop is set, the iterations of that inner
+                            * loop step the variable, not those of the analysed loop */
+    const ir_node *entry;  /* for is_stepped: the value to which the header sets it; NULL if it
+                            * begins with its value before the loop */
     bool is_declared_in_header; /* declared in the header, like the counter, so it does not exist
                                  * outside of the loop. C can spell its type */
 } private_variable;
@@ -267,14 +270,14 @@ typedef struct scalar_update {
     bool is_repeated;    /* executed several times per iteration, in an inner loop. For integers,
                           * whose operands an iteration may combine first */
     bool is_series;      /* floating, and some update of this scalar is in an inner loop: all
-                          * operands of an iteration are stored, those of all updates of the scalar
-                          * together */
+                          * operands of an iteration are stored, those of all updates of the
+                          * scalar together */
     bool is_guarded;     /* in memory that other accesses of the loop may alias: checked before
                           * anything is written */
     bool is_extremum;    /* if (e op s) s = e; with a comparison `op`. e has the type of s */
     bool is_negated;     /* for is_extremum: the form is if (!(e op s)) s = e */
-    ir_variable *place;  /* for is_extremum: a variable that gets the counter's value whenever s is
-                          * set; NULL if there is none */
+    ir_variable *place;  /* for is_extremum: a variable that gets the counter's value whenever s
+                          * is set; NULL if there is none */
 } scalar_update;
 
 /** A statement target = value, for an element that the same iteration reads again later. All other
@@ -295,8 +298,8 @@ typedef struct distributed_store {
     ir_node *rest;             /* an empty IR_BLOCK */
     const ir_node *assignment; /* the assignment, whose value is a constant or a loop-invariant
                                 * variable */
-    const ir_node *condition;  /* the condition of the store; it depends on the counter, the element
-                                * and loop invariants. NULL if each iteration stores */
+    const ir_node *condition;  /* the condition of the store; it depends on the counter, the
+                                * element and loop invariants. NULL if each iteration stores */
 } distributed_store;
 
 typedef struct distribution {
@@ -354,11 +357,11 @@ typedef struct loop_loads {
  *  the element's value, and its last value is stored to memory after all iterations. */
 typedef struct own_element {
     const ir_node *element; /* the first expression that names it */
-    bool is_stored_first; /* each iteration stores to it before reading it, so the variable need not
-                           * begin with the element's value */
-    bool is_in_slice;     /* the inspector needs its value */
-    bool is_guarded;      /* it may overlap other reads of the loop or other own elements, so it is
-                           * compared with them before anything is written */
+    bool is_stored_first;   /* each iteration stores to it before reading it, so the variable need
+                             * not begin with the element's value */
+    bool is_in_slice;       /* the inspector needs its value */
+    bool is_guarded;        /* it may overlap other reads of the loop or other own elements, so it
+                             * is compared with them before anything is written */
 } own_element;
 
 /** A span: an inner `for` of the slice that counts up to its bound (LESS or LESS_EQUAL) and whose
@@ -402,15 +405,16 @@ typedef struct loop_variables {
 
 /** The slice: the statements and control structure needed to compute rows and touched sources. */
 typedef struct loop_slice {
-    const loop_exits *exits; /* the exits whose conditions the slice evaluates. NULL if no iteration
-                              * leaves the loop. The list is empty if only a callee's assertion may
-                              * end the program */
+    const loop_exits *exits; /* the exits whose conditions the slice evaluates. NULL if no
+                              * iteration leaves the loop. The list is empty if only a callee's
+                              * assertion may end the program */
     bool may_abort;          /* an assertion in a called function may end the program */
     bool has_rows;           /* if false, the slice is only for the touched sources */
-    bool *holds;       /* indexed by node id. Set for each IR_DECLARATOR, IR_EXPRESSION and control
-                        * statement in the slice, and the IR_BLOCKs around them. If an update's
-                        * condition is too expensive or unsafe to evaluate twice, it is left out;
-                        * the inspector may then record more than is written */
+    bool *holds;             /* indexed by node id. Set for each IR_DECLARATOR, IR_EXPRESSION and
+                              * control statement in the slice, and the blocks (IR_BLOCK) around
+                              * them. An update's condition is left out if it is too expensive or
+                              * unsafe to evaluate twice. The inspector may then record more than is
+                              * written */
     const bool *reads; /* the same for a smaller slice, without rows, that only finds the touched
                         * sources that need a guard; NULL if there is none */
     bool has_floating_work; /* it has floating-point work, so it may run only if two copies of an
@@ -462,16 +466,16 @@ typedef enum verdict_kind {
     VERDICT_TRANSFORM,
     VERDICT_REFUSE,
     VERDICT_NOT_A_REDUCTION,
-    VERDICT_BLOCKS /* the loop's OpenMP directive stays, and its scalars are reduced in fixed blocks
-                    * (fixed_blocks.h) */
+    VERDICT_BLOCKS /* the loop's OpenMP directive stays, and its scalars are reduced in fixed
+                    * blocks (fixed_blocks.h) */
 } verdict_kind;
 
 /** A function of another file on which a verdict depends. Callers that know other files set it. */
 typedef struct external_call {
     const char *name, *file;
     const char *word; /* the property that is relied on, such as "const" */
-    ir_range range;   /* range of its name in the loop, or of the name of the function through which
-                       * the loop calls it */
+    ir_range range;   /* range of its name in the loop, or of the name of the function through
+                       * which the loop calls it */
 } external_call;
 
 typedef struct loop_verdict {
@@ -510,8 +514,8 @@ typedef struct analysis_options {
     bool report_all;         /* --all: report NOT_A_REDUCTION verdicts too */
     bool any_order;          /* --order=any: floating-point results need not have the sequential
                               * program's bits */
-    const map *external;     /* name -> const exported_kind *, for functions that exactly one other
-                              * file of the build defines; NULL if nothing is known of other
+    const map *external;     /* name -> const exported_kind *, for functions that exactly one
+                              * other file of the build defines; NULL if nothing is known of other
                               * files */
 } analysis_options;
 

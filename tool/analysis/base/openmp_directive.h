@@ -35,7 +35,8 @@ typedef struct openmp_item {
     openmp_clause_kind kind;
     reduction_operator op; /* for OPENMP_REDUCTION; REDUCTION_NONE for the operators && and || */
     const char *text;      /* the name without its array section. For a clause without a list, the
-                            * text in its parentheses; for OPENMP_OTHER_CLAUSE, the whole clause */
+                            * text in its parentheses; for OPENMP_OTHER_CLAUSE, the whole
+                            * clause */
     const char *section;   /* the text inside the name's brackets, with "][" between two pairs; NULL
                             * if it has none */
     const char *word;      /* the clause's name; for OPENMP_REDUCTION, the operator */
@@ -52,8 +53,8 @@ typedef struct openmp_directive {
 /** How the clause `schedule` assigns iterations to threads. */
 typedef enum openmp_schedule {
     OPENMP_NO_SCHEDULE, /* there is no such clause */
-    OPENMP_STATIC,      /* any other schedule: it determines the thread of each iteration (`runtime`
-                         * and `auto` may do so) */
+    OPENMP_STATIC,      /* any other schedule: it determines the thread of each iteration
+                         * (`runtime` and `auto` may do so) */
     OPENMP_BY_TURNS     /* dynamic or guided: each thread gets another chunk of iterations when it
                          * has finished one */
 } openmp_schedule;

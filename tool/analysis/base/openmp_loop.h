@@ -11,12 +11,12 @@
 typedef struct openmp_loop {
     unsigned item_count;
     const openmp_item *items;
-    bool has_locks;   /* `atomic` or `critical` occurs in the loop, so other threads may update the
-                       * same memory */
+    bool has_locks;   /* `atomic` or `critical` occurs in the loop, so other threads may update
+                       * the same memory */
     bool is_of_team;  /* the directive is `for`: the threads of an enclosing region share the
                        * loop */
-    const char *kept; /* the reason, found in their text, for which they must be kept; NULL if none
-                       * has been found */
+    const char *kept; /* why the directives must be kept, as far as their text shows it; NULL if
+                       * no reason has been found */
 } openmp_loop;
 
 typedef struct blocked_scalar {
@@ -28,10 +28,10 @@ typedef struct blocked_scalar {
 typedef struct team_facts {
     bool shares_frame; /* the threads share the variables of the function's outermost block */
     bool may_be_early; /* a thread may reach the loop while others still execute an earlier one */
-    bool names_all; /* the region has a `default` clause other than shared, so clauses must name its
-                     * variables */
-    const char *reduced; /* a variable in the loop that the region reduces. Each thread has its own
-                          * copy, with another value than before the region. NULL if there is
+    bool names_all;    /* the region has a `default` clause other than shared, so clauses must name
+                        * its variables */
+    const char *reduced; /* a variable in the loop that the region reduces. Each thread has its
+                          * own copy, with another value than before the region. NULL if there is
                           * none */
 } team_facts;
 
@@ -50,14 +50,14 @@ typedef struct fixed_blocks {
     const blocked_scalar *scalars;
     openmp_directive directive;
     team_facts team;            /* for OPENMP_FOR */
-    const nested_blocks *inner; /* an inner loop that is divided into blocks too if the outer one is
-                                 * short; NULL if there is none */
+    const nested_blocks *inner; /* an inner loop that is divided into blocks too if the outer one
+                                 * is short; NULL if there is none */
     bool is_balanced;           /* the `schedule` clause, or its absence, suggests that all
                                  * iterations take the same time */
     const char *lock; /* "atomic" or "critical" if the loop contains one: updates protected by it
                        * happen in any order; NULL if there is none */
-    const char *unordered; /* why the updates under `lock` are not made in sequential order; NULL if
-                            * that is unknown */
+    const char *unordered; /* why the updates under `lock` are not made in sequential order; NULL
+                            * if that is unknown */
 } fixed_blocks;
 
 /** The loop's OpenMP directives, above it and inside. NULL if it has none or OpenMP is disabled. */

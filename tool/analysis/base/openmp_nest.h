@@ -21,7 +21,8 @@ const ir_variable *openmp_counter(const ir_node *loop);
 const ir_node *openmp_inner_loop(const ir_node *loop);
 
 /** The text above an enclosing loop that may apply to this loop as well, so that this loop must
- *  stay as it is: a directive, or a macro that may expand to one. NULL if there is none. */
+ *  stay as it is. The text is a directive, or a macro that may expand to one. NULL if there is
+ *  none. */
 const char *openmp_about_nest(arena *a, const ir_unit *unit, const ir_node *loop);
 
 #endif

@@ -200,7 +200,8 @@ static bool add_search(loop_analysis *j, const loop_access *read) {
 
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript);
 
-/* Notes that no plan can be reused: the read determines subscripts, and cannot be compared. */
+/* Notes that no plan can be reused, because the read determines subscripts and its values cannot be
+ * compared with the earlier ones. */
 static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
     if (j->slice.is_verifiable)
         j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
@@ -425,8 +426,8 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         is_stable = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->left_out.exits) { /* the check before a plan is reused would make reads that the program
-                              * may never make */
+    if (j->left_out.exits) { /* the check before a plan is reused would make reads that the
+                              * program may never make */
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }

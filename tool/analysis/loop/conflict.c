@@ -12,13 +12,15 @@ enum { DEEPEST = 8 }; /* greatest number of definitions that are followed */
 typedef struct query {
     variable_facts *facts;
     const ir_node *loop;
-    const ir_node *place; /* the access; the loops around it, inside `loop`, are the inner loops */
+    const ir_node *place; /* the access; the loops around it, inside `loop`, are the inner
+                           * loops */
     unsigned depth;
 } query;
 
 /* The kinds of values in an address. */
 typedef struct terms {
-    bool has_window; /* counters of inner loops whose range changes with the iteration of `loop` */
+    bool has_window; /* counters of inner loops whose range changes with the iteration of
+                      * `loop` */
     bool has_table;  /* values read from memory */
     bool has_row;    /* values that differ between iterations, in a separate subscript or as a
                       * factor (i * n), so that iterations have separate rows */
@@ -292,8 +294,8 @@ static terms terms_of(query *q, const ir_node *lvalue) {
     return all;
 }
 
-/* Classifies an opaque access, such as an element of a vector, or a selection `_Generic(0, int:
- * h[k])`. */
+/* Classifies an opaque access, such as an element of a vector, or a selection
+ * `_Generic(0, int: h[k])`. */
 static conflict_kind conflict_of_opaque(variable_facts *facts, const ir_node *loop,
                                         const ir_node *opaque, const ir_node *place) {
     conflict_kind worst = CONFLICT_NONE;

@@ -12,12 +12,12 @@ typedef enum conflict_kind {
                        * (sums) */
     CONFLICT_REGULAR, /* two iterations may update the same element, but in a nest of loops with
                        * invariant bounds and with subscripts that are affine in the counters */
-    CONFLICT_SHARED   /* a value from a table, a loaded pointer, or a range that varies selects the
-                       * element */
+    CONFLICT_SHARED   /* a value from a table, a loaded pointer, or a range that varies selects
+                       * the element */
 } conflict_kind;
 
-/** The whole object if the lvalue is a part of one, such as the complex number z[k] for `__real__
- *  z[k]`, or a vector. Otherwise the lvalue itself. */
+/** The whole object if the lvalue is a part of one, such as the complex number z[k] for
+ *  `__real__ z[k]`, or a vector. Otherwise the lvalue itself. */
 const ir_node *conflict_whole(const ir_node *lvalue);
 
 /** Classifies the update of an lvalue by the node `place`, which is the lvalue itself or a call

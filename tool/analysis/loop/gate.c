@@ -32,8 +32,8 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     return to;
 }
 
-/* A macro that may expand to a pragma, before the loop in the statement that contains it: `if (n >
- * 3) IVDEP for (...)`. NULL if there is none. */
+/* A macro that may expand to a pragma, before the loop in the statement that contains it:
+ * `if (n > 3) IVDEP for (...)`. NULL if there is none. */
 static const char *pragma_macro_before(const loop_analysis *j, uint32_t to) {
     const ir_unit *unit = j->an->unit;
     const ir_range above = {j->loop->parent->range.begin, to};

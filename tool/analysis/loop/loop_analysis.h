@@ -28,8 +28,8 @@ typedef struct analyser {
 /** The classification of an access of the loop. */
 typedef enum access_class {
     CLASS_OPEN,      /* not classified yet */
-    CLASS_SCALAR,    /* an access to a private, stepped or unchanged variable; or a store to an own
-                      * element */
+    CLASS_SCALAR,    /* an access to a private, stepped or unchanged variable; or a store to an
+                      * own element */
     CLASS_REDUCTION, /* an update of an element of arrays[array] */
     CLASS_SELF,      /* a read of the updated element in the update's own statement; or any access
                       * to a scalar that the loop accumulates into */
@@ -44,13 +44,14 @@ typedef struct loop_access {
     access_class class;
     unsigned array;        /* for CLASS_REDUCTION: index in loop_analysis.arrays */
     reduction_operator op; /* for CLASS_REDUCTION */
-    bool needs_guard;      /* for CLASS_SHARED: it may overlap an array, as far as the analysis can
-                            * tell, or an access for which is_scalar is set */
+    bool needs_guard;      /* for CLASS_SHARED: it may overlap an array, as far as the analysis
+                            * can tell, or an access for which is_scalar is set */
     bool is_scalar;        /* it is an update of a scalar with is_guarded (CLASS_SELF), or the first
                             * read of an own element with is_guarded */
-    bool meets_scalars; /* for CLASS_SHARED: it may overlap an access for which is_scalar is set */
-    bool meets_arrays;  /* for CLASS_SHARED: it may overlap an array. If false, needs_guard is set
-                         * only because of meets_scalars */
+    bool meets_scalars;    /* for CLASS_SHARED: it may overlap an access for which is_scalar is
+                            * set */
+    bool meets_arrays; /* for CLASS_SHARED: it may overlap an array. If false, needs_guard is set
+                        * only because of meets_scalars */
 } loop_access;
 
 typedef struct loop_array {

@@ -52,7 +52,7 @@ static bool is_constant_inside(const ir_node *node) {
            value < node->children[0]->type->count;
 }
 
-/* The row t[i + c] that contains the lvalue; NULL if the lvalue is a bit-field. */
+/* The row t[i + c] that contains the lvalue; NULL if a bit-field is on the way. */
 static const ir_node *row_of(const ir_node *lvalue) {
     const ir_node *node = lvalue;
     while ((node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) || is_constant_inside(node)) {

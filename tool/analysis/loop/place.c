@@ -65,7 +65,8 @@ const ir_node *slice_place(const loop_analysis *j, const ir_node *node) {
     if (place && place->kind == IR_DECLARATOR && place->parent && place->parent->parent &&
         place->parent->parent->kind == IR_FOR)
         place = place->parent->parent;
-    for (unsigned i = 0; place && i < j->updates.count; i++) /* an update counts as one statement */
+    for (unsigned i = 0; place && i < j->updates.count; i++) /* an update counts as one
+                                                              * statement */
         if (ir_contains(j->updates.items[i].statement, place))
             place = j->updates.items[i].statement;
     return place && place != j->loop && ir_contains(j->loop, place) ? place : NULL;

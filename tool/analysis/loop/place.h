@@ -7,8 +7,8 @@
 #include "analysis/loop/loop_analysis.h"
 
 /** Can the addresses of the source's row, with its loops, be computed before `place`, however
- *  control reaches it? The statement must assign none of their operands, and no condition inside it
- *  may protect one of their loads. */
+ *  control reaches it? The statement `place` must assign none of their operands, and no condition
+ *  inside it may protect one of their loads. */
 bool slice_can_record(const loop_analysis *j, const loop_source *recorded, const ir_node *node,
                       const ir_node *place);
 

@@ -14,8 +14,10 @@
  *  The first row is then that for the nested loop's first value, the last row that for its last
  *  value.
  *
- *  With a step of s, as in `for (j = 0; j < n; j += 3) f[j] += ..., f[j + 1] += ..., f[j + 2] +=
- *  ...`, each iteration must access s consecutive rows, so that the range contains no others. */
+ *  If the loop has a step of s (here 3), each iteration must access s consecutive rows. The range
+ *  then contains no others:
+ *
+ *      for (j = 0; j < n; j += 3) f[j] += ..., f[j + 1] += ..., f[j + 2] += ... */
 #include "analysis/loop/spans.h"
 
 #include "analysis/base/counted.h"

@@ -25,8 +25,8 @@ affine_form variation_affine(variable_facts *facts, const ir_node *loop, const i
                              const ir_node *expression);
 
 /** Is the lvalue an array element whose subscript is irregular? A subscript is irregular if it is
- *  not affine in the counters of the loop and inner loops, or if it is a counter whose first value
- *  is found through such a subscript. Local variables that are assigned once are replaced by their
+ *  not affine in the counters of the loop and inner loops. So is a counter whose first value is
+ *  found through such a subscript. Local variables that are assigned once are replaced by their
  *  values. */
 bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
 

@@ -16,15 +16,16 @@ typedef struct access {
     bool is_exact; /* the lvalue can be spelled before the statement, and exactly its bytes are
                     * accessed. Otherwise only its base is known */
     const ir_type *type; /* type of the accessed values */
-    bool is_presumed; /* the user, or the analysis of another file, asserts that the access does not
-                       * touch the arrays that the loop accumulates into */
+    bool is_presumed;    /* the user, or the analysis of another file, asserts that the access does
+                          * not touch the arrays that the loop accumulates into */
     bool is_conditional; /* not made each time the piece of program is executed */
     bool is_behind;      /* a condition in the callee decides whether the access is made, or in
                           * which iterations of `loops` */
     unsigned loop_count; /* number of the callee's loops around it; the lvalue denotes one element
                           * per iteration */
-    const source_loop *loops;  /* these loops, the outermost first. Their bounds and the lvalue can
-                                * be computed for all iterations whenever the call is executed */
+    const source_loop *loops;  /* these loops, the outermost first. Their bounds and the lvalue
+                                * can be computed for all iterations whenever the call is
+                                * executed */
     const ir_node *node;       /* the expression that makes the access, or the call of a function
                                 * that does */
     const ir_function *callee; /* the function that makes the access; NULL if the analysed text
@@ -32,8 +33,8 @@ typedef struct access {
     update_form form;          /* for an ACCESS_UPDATE in the analysed text itself */
     const ir_node *from;       /* for a linear search (search.h): the first element that it reads;
                                 * otherwise NULL */
-    const ir_node *to; /* for a linear search: the last element that it reads, whose subscript is
-                        * the call's result */
+    const ir_node *to; /* for a linear search: the last element that it reads, whose subscript
+                        * is the call's result */
     const element_bounds *bounds; /* if not is_exact: bounds between which the accessed elements
                                    * lie; NULL if unknown */
 } access;

@@ -9,8 +9,9 @@
 enum {
     MOST_DEPTH = 8,
     MOST_NODES = 200
-}; /* greatest depth of nested replacements of variables by
-    * values, and greatest number of nodes in a result */
+}; /* greatest depth of nested replacements of variables
+    * by values, and greatest number of nodes in a
+    * result */
 
 static ir_node *unknown_part(callee_rewriting *r, const ir_node *node) {
     ir_node *unknown = ir_new(r->terms->memory, IR_OPAQUE, node->type, 0);

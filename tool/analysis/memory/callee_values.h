@@ -12,8 +12,8 @@ typedef struct callee_rewriting {
     const access *item;
     callee_loops *loops; /* the loops around the access; NULL if counters must not occur in the
                           * result */
-    const ir_node *site; /* the place of evaluation in the function's text; NULL if the value may be
-                          * that of another iteration */
+    const ir_node *site; /* the place of evaluation in the function's text; NULL if the value may
+                          * be that of another iteration */
     bool is_exact;
     bool loads_stay;        /* memory that is read here is not written while the caller's loop
                              * runs */

@@ -14,18 +14,18 @@ typedef struct location_step {
 } location_step;
 
 typedef struct location {
-    const ir_variable *object; /* the named object; NULL if the memory is reached through a pointer,
-                                * or unknown */
-    const ir_node *pointer; /* if there is no object: the base pointer, replaced by its value as far
-                             * as possible; NULL if unknown */
-    const ir_node *base;    /* an lvalue in the source: the array or pointer from which the last
-                             * pointer read starts, below all its subscripts, fields and
-                             * dereferences; NULL if unknown */
-    const ir_type *type;    /* type of the accessed value */
+    const ir_variable *object; /* the named object; NULL if the memory is reached through a
+                                * pointer, or unknown */
+    const ir_node *pointer;    /* if there is no object: the base pointer, replaced by its value as
+                                * far as possible; NULL if unknown */
+    const ir_node *base;       /* an lvalue in the source: the array or pointer from which the last
+                                * pointer read starts, below all its subscripts, fields and
+                                * dereferences; NULL if unknown */
+    const ir_type *type;       /* type of the accessed value */
     unsigned step_count;
     location_step steps[8];
-    bool is_inexact;   /* the steps are incomplete: they end before an unknown part, such as further
-                        * steps or casts */
+    bool is_inexact;   /* the steps are incomplete: they end before an unknown part, such as
+                        * further steps or casts */
     bool is_punned;    /* a cast to another pointer type occurs on the way */
     bool is_of_locale; /* a table of the C library that classifies characters; the program only
                         * reads it */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Recognises updates that consist of several statements: the element is loaded, its value changed,
- *  and stored again. */
+/** Recognises updates that consist of several statements: the element is loaded, its value is
+ *  changed and stored again. */
 #ifndef ANALYSIS_UPDATE_GROUP_H
 #define ANALYSIS_UPDATE_GROUP_H
 
@@ -19,8 +19,8 @@ typedef struct update_group {
  *  *group. */
 bool update_group_of(variable_facts *facts, const ir_node *assignment, update_group *group);
 
-/** The local variable that is set to the value of this read of an element, if a later statement of
- *  the same block stores a function of the variable to the element. NULL if there is none. */
+/** The local variable that is set to the value of this read of an element. A later statement of the
+ *  same block must store a function of the variable to the element. NULL if there is none. */
 const ir_variable *update_group_holder(const ir_node *read);
 
 /** Is the node in one of the group's statements? */

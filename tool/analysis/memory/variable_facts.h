@@ -13,10 +13,10 @@ typedef struct variable_fact {
     occurrences; /* IR_VARIABLE nodes that name it, in the order of the
                   * text */
     VECTOR(const ir_node *)
-    writes;               /* nodes that assign it, take its address, or pass it or an array in it to
-                           * a function; in the order of the text */
-    unsigned write_count; /* number of assignments, increments and initialisers; taking its address
-                           * does not count */
+    writes;               /* nodes that assign it, take its address, or pass it or an array in it
+                           * to a function; in the order of the text */
+    unsigned write_count; /* number of assignments, increments and initialisers; taking its
+                           * address does not count */
     unsigned step_count;  /* how many of these are steps (p++, p += e and the like) */
     const ir_node *definition;       /* the value of the last assignment or initialiser; NULL if
                                       * that is not a plain `=` */

@@ -212,7 +212,8 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
     item.is_repeated = is_repeated(j, &item);
     if (read->access.is_behind && !item.loop_count && !slice_is_safe_here(j, item.row, true))
-        return (source_plan){false, item}; /* the row may not exist if the call does not read it */
+        return (source_plan){false, item}; /* the row may not exist if the call does not read
+                                            * it */
     const bool is_safe = item.base
                              ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
                              : !of_contents && update_table_of(j, read->where.base);
@@ -307,8 +308,8 @@ static bool is_counter_and_constant(const ir_node *subscript) {
     return subscript->kind == IR_VARIABLE;
 }
 
-/* The bounds of rows if inner loops over constants read them all in each iteration: `for (c = 0; c
- * < 24; c++) ... centre[c][k]`. NULL if it is another read. */
+/* The bounds of rows if inner loops over constants read them all in each iteration:
+ * `for (c = 0; c < 24; c++) ... centre[c][k]`. NULL if it is another read. */
 static const element_bounds *constant_bounds(const loop_analysis *j, const loop_access *read,
                                              const ir_node *row) {
     bound_term low = {0}, high = {0};

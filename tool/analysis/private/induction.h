@@ -12,9 +12,10 @@
  *  nothing. */
 bool induction_take(loop_analysis *own, const ir_variable *variable);
 
-/** May the iteration skip `statement`, which contains the step `v++`? It may if v changes only by
- *  name, the step is executed once in each iteration, and v is not used elsewhere in the statement,
- *  later in the iteration, or by the next one. */
+/** Is the step, `v++` in `statement`, the last use of v in the iteration, so that the iteration may
+ *  skip the statement? The step must be executed once in each iteration, and v must change only by
+ *  name. v must not be used elsewhere in the statement, later in the iteration, or by the next
+ *  one. */
 bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step);
 
 typedef struct step_result {

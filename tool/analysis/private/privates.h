@@ -8,8 +8,8 @@
 typedef struct private_check {
     reason why;
     private_list privates;  /* includes how each gets its last value */
-    variable_list captured; /* variables declared outside that the loop only reads, in the order of
-                             * use */
+    variable_list captured; /* variables declared outside that the loop only reads, in the order
+                             * of use */
     bool counter_is_live_after;
 } private_check;
 

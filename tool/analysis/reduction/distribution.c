@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A store t[i + c] = v or t[i + c] op= v may be made after all iterations if it is in the body's
- * outermost block, or in a branch there whose condition uses only the counter, the element and
- * invariants, and if
+/* A store t[i + c] = v or t[i + c] op= v may be made after all iterations under these conditions:
+ * - it is in the body's outermost block, or in a branch there whose condition uses only the
+ *   counter, the element and invariants;
  * - each iteration reaches it: there is no `continue` (a `break` refuses the loop anyway);
  * - its subscript has a different value in each iteration, and the counter is the only operand of
  *   the subscript, t and v that changes. The later stores are then the same, in the same order;

@@ -16,8 +16,9 @@
 const distribution *distribution_find(const loop_analysis *j);
 
 /** The reason for which the stores in j->left_out.distribution, which have been removed from the
- *  loop (base/distributed.h), must not be made after all iterations. REASON_NONE if they may. That
- *  the loop's arrays do not overlap these elements is checked with all its other reads. */
+ *  loop (base/distributed.h), must not be made after all iterations. REASON_NONE if they may.
+ *  Whether the loop's arrays overlap the stored elements is not checked here, but together with all
+ *  reads of the loop. */
 reason check_distribution(const loop_analysis *j);
 
 #endif

@@ -75,8 +75,8 @@ static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks)
         refuse(s, "'%s' is reduced, which is no plain number", item->text);
     else if (item->kind == OPENMP_OTHER_CLAUSE)
         refuse(s, "the clause '%s'", item->text);
-    else if (strcmp(item->word, "allocate") == 0) /* the clause names copies, which no clause would
-                                                   * then create */
+    else if (strcmp(item->word, "allocate") == 0) /* the clause names copies, which no clause
+                                                   * would then create */
         refuse(s, "the clause 'allocate(%s)'", item->text);
     else if (item->kind == OPENMP_SCHEDULE)
         blocks->is_balanced = strstr(item->text, "static") != NULL;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* A read may use the stored value if
- * - it comes after the store in the store's block, so that the store was executed before it in this
- *   iteration, and it is the same expression, whose operands do not change in between;
+ * - it comes after the store in the store's block, so the store was executed before it in this
+ *   iteration;
+ * - it is the same expression as the store's target, and no operand changes in between;
  * - no other write between the store and the read can change the element. This must be proved: a
  *   guard, which compares reads with each array, would always fail for the array stored to;
  * - it is in the loop's text, so that a variable's name can replace it.
@@ -136,8 +137,8 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
     return false;
 }
 
-/* Is there no access that certainly touches the element, other than the store and reads that use
- * its value, and no write that may change it between them? */
+/* False if another access certainly touches the element, or if another write may change it between
+ * the store and a read that uses the stored value. The store itself and such reads do not count. */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Updates of a scalar (scalars.h) are made after the loop, so nothing else in the loop may read or
- * write it. For members, elements and targets of pointers this is proved, or compared at run time.
- * An iteration that updates the object finds it with the object's type. An access that reads its
- * own memory first is therefore disjoint if it has another type (C17 6.5p7). A plain store of
- * another type, however, may follow the last update (6.5p6). */
+ * write the scalar. For members, elements and targets of pointers this is proved, or checked at run
+ * time. An iteration with an update reads the object as a value of the object's type. An access of
+ * another type that begins with a read must therefore access other memory (C17 6.5p7). A plain
+ * store of another type, however, may follow the last update (6.5p6). */
 #include "analysis/reduction/scalar_target.h"
 
 #include "analysis/base/expression.h"

@@ -13,7 +13,8 @@ typedef struct team_loop {
     const ir_node *loop;
     const openmp_directive *directive;
     const ir_variable *counter;
-    const ir_node *region;  /* the statement under `parallel`; NULL if the region is in a caller */
+    const ir_node *region;  /* the statement under `parallel`; NULL if the region is in a
+                             * caller */
     openmp_directive above; /* the `parallel` directive */
     bool is_outermost;
 } team_loop;

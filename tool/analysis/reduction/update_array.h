@@ -22,9 +22,9 @@ bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *updat
 const ir_node *update_base_of(const ir_node *target, const ir_node *base);
 
 /** The invariant table from which iterations load a pointer or array: `rows` for rows[k], and
- *  `object` for object[k].row. NULL if `base` itself is invariant, if the path to it does not begin
- *  with an invariant or contains a union or a cast to another type, or if the loop may store
- *  pointers to the table. */
+ *  `object` for object[k].row. NULL if `base` itself is invariant, or if the loop may store
+ *  pointers to the table. Also NULL if the path to `base` does not begin with an invariant, or
+ *  contains a union or a cast to another type. */
 const ir_node *update_table_of(const loop_analysis *j, const ir_node *base);
 
 /** Checks that the base is invariant and can be read before the loop, or is reached from a table

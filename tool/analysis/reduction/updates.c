@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Classifies every write of the loop: it is private to the iteration, a step of an induction
+/* Classifies every write of the loop. It may be private to the iteration, a step of an induction
  * variable, an update of a scalar or of a reduction array, or a store to an own element. The loop
  * is refused at the first write that is none of these. */
 #include "analysis/reduction/updates.h"
@@ -248,8 +248,8 @@ static bool check_update(loop_analysis *j, loop_access *update) {
     if (!check_element(j, update, name) || !update_check_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
-    kind.needs_order |=
-        update_is_by_local_pointer(j, update); /* the pointer does not point into a private copy */
+    kind.needs_order |= update_is_by_local_pointer(j, update); /* the pointer does not point into a
+                                                                * private copy */
     if (!update_array_find(j, update, kind, &number))
         return false;
     for (unsigned i = 0; i < j->access_count; i++)

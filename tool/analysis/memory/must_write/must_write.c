@@ -3,7 +3,8 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    MOST_STEPS = 2000000,   /* steps of one query, which take some tens of milliseconds */
+    MOST_STEPS = 2000000,   /* limit of the steps of one query; so many take some tens of
+                             * milliseconds */
     MOST_BYTES = 1 << 16,   /* size of an object that can be analysed */
     PARAMETER_WINDOW = 4096 /* bytes after the target of a pointer parameter that are analysed */
 };
@@ -62,8 +63,8 @@ static const char *find_unfit(const ir_variable *variable) {
 typedef struct search {
     must_write *prover;
     const ir_node *body;
-    const ir_node *loop; /* the loop whose body this is, if control never returns to it after it has
-                          * ended; otherwise NULL */
+    const ir_node *loop; /* the loop whose body this is, if control never returns to it after it
+                          * has ended; otherwise NULL */
     const ir_variable *variable;
     const ir_node *found;
 } search;

@@ -29,8 +29,8 @@ typedef enum private_verdict {
 
 typedef struct private_result {
     private_verdict verdict;
-    const ir_node *node; /* the cause, inside the body if possible; NULL if there is none, or if it
-                          * is the variable itself */
+    const ir_node *node; /* the cause, inside the body if possible; NULL if there is none, or if
+                          * it is the variable itself */
     const char *why;     /* the reason as a clause without a full stop, such as "its address is
                           * stored"; NULL if proved */
     bool is_written;     /* an iteration may write some byte of the variable */
@@ -48,7 +48,8 @@ private_result must_write_check(must_write *prover, const ir_node *body,
 
 /** How a call uses the target of a pointer parameter, whatever object that is. */
 typedef struct parameter_effect {
-    bool keeps_address; /* the call may store the address, return it, or pass it to unknown code */
+    bool keeps_address; /* the call may store the address, return it, or pass it to unknown
+                         * code */
     bool is_known;      /* the address is not stored, and all accesses are in bytes [0, end) from
                          * it. If false, the fields below are invalid */
     int64_t end;        /* number of bytes from the pointer on that a call may read or write */

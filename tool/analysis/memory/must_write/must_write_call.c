@@ -284,8 +284,8 @@ value run_call(run *r, state *s, const ir_node *node) {
     if (count > MOST_ARGUMENTS)
         return run_give_up(r, node, "a call has too many arguments");
     if (!evaluate_arguments(r, s, node, arguments) || r->unknown != NULL)
-        return value_other; /* without a pointer argument, the callee cannot reach the object, whose
-                             * address is not stored */
+        return value_other; /* without a pointer argument, the callee cannot reach the object,
+                             * whose address is not stored */
     if (function == NULL)
         return run_give_up(r, node, "it is passed to a function that is not known");
     const known_function *known = find_known(function);

@@ -29,7 +29,8 @@ typedef struct twin_loops {
     const ir_node *block; /* block that contains the writer; the reader is in a later statement of
                            * this block */
     unsigned first, last; /* numbers of statements in the block. The first is the writer, or an
-                           * earlier statement that sets a counter. The last contains the reader */
+                           * earlier statement that sets a counter. The last contains the
+                           * reader */
     unsigned counter_count;
     struct {
         const ir_variable *of_writer, *of_reader;
@@ -153,8 +154,8 @@ static bool header_sets(const ir_node *loop, const ir_variable *variable) {
            ir_declarator_in(loop->children[0], variable);
 }
 
-/* Adds pointers that are set by statements before the loops: p = w; for (...) *p++ = ...; Headers
- * have not set their counters at that time, so the values must not mention counters. */
+/* Adds pointers that are set by statements before the loops: p = w; for (...) *p++ = ...; The
+ * values must not mention counters, which the headers have not set at that time. */
 static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     unsigned number;
     if (!a || !b || header_sets(twins->writer, a) || header_sets(twins->reader, b) ||

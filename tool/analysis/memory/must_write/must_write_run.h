@@ -48,8 +48,8 @@ typedef struct run {
     const ir_node *read_node;  /* the first node that may read bytes not written before */
     const char *unknown;       /* if set, why the interpretation has ended without a result */
     const ir_node *unknown_node;
-    state *on_break, *on_continue; /* states to join with the state at a break or continue; NULL if
-                                    * such a jump cannot be handled */
+    state *on_break, *on_continue; /* states to join with the state at a break or continue; NULL
+                                    * if such a jump cannot be handled */
     state on_return;
     bool has_result;
     value result;

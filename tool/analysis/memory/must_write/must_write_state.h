@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The state of the must-write proof at a point of the program: which bytes of the analysed object
- *  have definitely been written, and the values of local scalars, as far as they matter. */
+/** The state of the must-write proof at a point of the program: the bytes of the analysed object
+ *  that have definitely been written, and the known values of local scalars. */
 #ifndef ANALYSIS_MUST_WRITE_STATE_H
 #define ANALYSIS_MUST_WRITE_STATE_H
 
@@ -34,8 +34,8 @@ void byte_set_add_value(byte_set s, const ir_type *type, int64_t offset);
 typedef enum value_kind {
     VALUE_OTHER,   /* any value that does not point into the object */
     VALUE_INTEGER, /* the integer `number` */
-    VALUE_POINTER  /* a pointer into the object, `number` bytes from its start. If not is_exact, it
-                    * may point anywhere, into the object or elsewhere */
+    VALUE_POINTER  /* a pointer into the object, `number` bytes from its start. If not is_exact,
+                    * it may point anywhere, into the object or elsewhere */
 } value_kind;
 
 typedef struct value {
@@ -66,7 +66,7 @@ void state_join(arena *a, state *s, const state *other);
 bool state_same_bindings(const state *a, const state *b);
 value state_get(const state *s, const ir_variable *variable);
 void state_set(arena *a, state *s, const ir_variable *variable, value v);
-/** How many steps copying or joining the state counts. */
+/** The number of steps that copying or joining the state counts as. */
 unsigned state_weight(const state *s);
 
 #endif

@@ -146,8 +146,8 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
         if (!s->is_reachable || !state_same_bindings(s, before))
             continue;
         if (repeated.words != NULL && byte_set_includes(repeated, s->written)) {
-            s->is_reachable = false; /* further iterations repeat this one, so only a break ends the
-                                      * loop */
+            s->is_reachable = false; /* further iterations repeat this one, so only a break ends
+                                      * the loop */
             return;
         }
         if (run_step(r, loop->body, state_weight(s)))
@@ -187,7 +187,8 @@ static void execute_loop_statement(run *r, state *s, const ir_node *node) {
 typedef struct switch_labels {
     const ir_node *node;
     bool has_default;
-    bool is_nested; /* a label is inside an inner statement, which is therefore entered by a jump */
+    bool is_nested; /* a label is inside an inner statement, which is therefore entered by a
+                     * jump */
 } switch_labels;
 
 static bool note_label(ir_node *node, void *context) {

@@ -11,8 +11,8 @@
  *  statement's index in the block. NULL if the value is unknown. */
 const ir_node *start_before(const ir_node *loop, const ir_variable *variable, unsigned *number);
 
-/** The only write of the variable in the body, if it is a step by a constant that each iteration
- *  executes once and after which the iteration does not use the variable. Otherwise NULL. */
+/** The only write of the variable in the body. It must be a step by a constant that each iteration
+ *  executes once, and the iteration must not use the variable after it. Otherwise NULL. */
 const ir_node *step_of_body(const ir_node *body, const ir_variable *variable);
 
 #endif
