@@ -92,8 +92,7 @@ typedef struct converter {
     cached_extent extents[CACHED_EXTENTS];
 } converter;
 
-/* ---- source locations (location.c)
- * ------------------------------------------------------------------- */
+/* ---- source locations (location.c) ----------------------------------------------------------- */
 
 typedef struct file_text {
     const char *text;
@@ -200,8 +199,7 @@ void mark_skipped_directives(converter *c);
 /** Fills in functions_with_errors and the unit's error_count. */
 void mark_functions_with_errors(converter *c);
 
-/* ---- which declaration a name refers to (references.c)
- * ------------------------------------------------------ */
+/* ---- which declaration a name refers to (references.c) --------------------------------------- */
 
 struct reference_table *references_new(converter *c);
 /** The declaration of this cursor. All declarations of one object have the same result. */

@@ -205,8 +205,8 @@ static ir_node *convert_string(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* Converts a literal such as 1.0iF, as which complex.h defines I. It is a GNU extension, so it is
- * marked by __extension__. */
+/* Converts a literal such as 1.0iF, which complex.h uses to define I. It is a GNU extension, so it
+ * is marked by __extension__. */
 static ir_node *convert_imaginary(converter *c, CXCursor cursor) {
     file_text at = text_at(c, clang_getCursorLocation(cursor));
     const char *literal = number_text(c, at);

@@ -20,8 +20,8 @@ typedef struct search {
     converter *converter;
     bool is_found;        /* a file contains the operator _Pragma */
     bool has_fenv_access; /* a file contains FENV_ACCESS */
-    const char *hidden;   /* text that may hide a pragma from this search (see search_file); NULL if
-                           * there   is none */
+    const char *hidden;   /* text that may hide a pragma from this search (see search_file). NULL
+                           * if there is none */
     VECTOR(definition) all;
 } search;
 

@@ -517,7 +517,7 @@ const ir_function *ir_function_named(const ir_unit *unit, const char *name);
 typedef bool (*ir_visitor)(ir_node *node, void *context);
 void ir_walk(ir_node *node, ir_visitor visit, void *context);
 
-/* ---- building trees ------ */
+/* ---- building trees -------------------------------------------------------------------------- */
 
 ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count);
 /** Sets the parents and ids of the nodes of a function's body, and the function's node_count. */

@@ -136,7 +136,7 @@ static level least_of_operand(level outer, const ir_node *operand, level by_gram
     return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
 }
 
-/* Would clang take the expression for an intended power, as 2 ^ 5, and warn (-Wxor-used-as-pow)?
+/* Would clang take the expression for an intended power, as in 2 ^ 5, and warn (-Wxor-used-as-pow)?
  * Written as (2) ^ 5 it causes no warning. */
 static bool looks_like_power(const ir_node *node) {
     const ir_node *left = node->children[0];

@@ -96,7 +96,7 @@ static bool split_condition(const ir_node *condition, counted_loop *counted) {
     return !expression_mentions(counted->bound, counted->counter);
 }
 
-/* ---- the whole header -------------------------------------------------------------------- */
+/* ---- the whole header ------------------------------------------------------------------------ */
 
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
     assert(name || why == REASON_TRIP_COUNT);

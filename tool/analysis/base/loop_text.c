@@ -201,7 +201,7 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
     return false;
 }
 
-/* ---- pragmas from macros, and those in functions ------------------------------------------ */
+/* ---- pragmas from macros, and those in functions --------------------------------------------- */
 
 /* Is a name split over two lines at this byte? A search for the name would miss it. */
 static bool splits_a_name(const char *text, uint32_t at) {

@@ -17,9 +17,9 @@
  *  iteration? The array must be a variable, or the target of an invariant pointer. */
 bool own_is_element(const loop_analysis *j, const ir_node *lvalue);
 
-/** Lists the elements that variables will replace, and classifies the accesses to them. Adds an
- *  access for each element, for the read at the iteration's beginning. Does nothing unless
- *  analyser.keeps_own is set. */
+/** Lists the elements that variables will replace, and classifies the accesses to them. For each
+ *  element, adds an access that represents the read at the iteration's beginning. Does nothing
+ *  unless analyser.keeps_own is set. */
 void own_take(loop_analysis *j);
 
 /** Checks, once all writes are classified, that only updates may write memory that may be an own

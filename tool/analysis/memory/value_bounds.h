@@ -29,7 +29,7 @@ typedef struct value_bounds {
     bound_term low[BOUNDS_MOST_ENDS], high[BOUNDS_MOST_ENDS];
 } value_bounds;
 
-/** Floating values. The bounds hold if none of them is negative. */
+/** Floating values. The bounds (value_bounds) hold if none of these values is negative. */
 typedef struct bounds_conditions {
     unsigned count;
     const ir_node *value[BOUNDS_MOST_CONDITIONS];

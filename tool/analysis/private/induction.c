@@ -25,7 +25,7 @@ static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
            executed_certainly_in(j->loop->children[2], write);
 }
 
-/* Is it a pointer to objects of a known size, by which it is stepped? */
+/* Is it a pointer to objects of a known size, not empty ones? */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
            type->target->kind != IR_VOID && type->target->size > 0;

@@ -4,7 +4,8 @@
  *   counter, the element and invariants;
  * - each iteration reaches it: there is no `continue` (a `break` refuses the loop anyway);
  * - its subscript has a different value in each iteration, and the counter is the only operand of
- *   the subscript, t and v that changes. The later stores are then the same, in the same order;
+ *   the subscript, t and v that changes. The stores made after the loop then store the same values
+ *   in the same order;
  * - all other reads that may be of the element have the form t[i + c] too and precede the store in
  *   the same iteration, so they find the same value;
  * - one of these reads is made in each iteration. The extent that is compared with each array at
@@ -98,8 +99,7 @@ const distribution *distribution_find(const loop_analysis *j) {
     return result;
 }
 
-/* ---- may the store be deferred?
- * --------------------------------------------------------------------- */
+/* ---- may the store be deferred? -------------------------------------------------------------- */
 
 static bool is_read_before(const loop_access *read, const distributed_store *store) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&

@@ -4,7 +4,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-/* ---- inside the parameter's target ---------------------------------------- */
+/* ---- inside the parameter's target ----------------------------------------------------------- */
 
 static bool is_parameter(const ir_node *node, const ir_variable *parameter) {
     return node->kind == IR_VARIABLE && node->variable == parameter;

@@ -226,8 +226,8 @@ static void bind_constants(const run *r, const ir_node *body, state *head) {
     ir_walk(r->function->body, bind_constant, &known);
 }
 
-/* Interprets iterations until the variables that one leaves to the next no longer change. Each
- * iteration begins with no byte written. Returns the state at the end of an iteration. */
+/* Interprets iterations until the values that one iteration leaves to the next no longer change.
+ * Each iteration begins with no byte written. Returns the state at the end of an iteration. */
 static state interpret_iterations(run *r, const ir_node *body) {
     arena *a = r->prover->scratch;
     state head = state_new(a, r->size);

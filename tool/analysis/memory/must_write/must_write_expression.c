@@ -55,7 +55,7 @@ void run_write(run *r, state *s, const ir_node *node, int64_t begin, int64_t end
         byte_set_add(s->written, begin, end);
 }
 
-/* ---- operands in unspecified order ------------------------------------------------------ */
+/* ---- operands in unspecified order ----------------------------------------------------------- */
 
 typedef struct effect_search {
     bool is_found;
@@ -352,8 +352,7 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
         run_store(r, s, &target, &p, v);
 }
 
-/* ---- C text that the tree does not show
- * ------------------------------------------------------------ */
+/* ---- C text that the tree does not show ------------------------------------------------------ */
 
 static bool is_word_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

@@ -103,8 +103,7 @@ unsequenced run_begin_unsequenced(run *r, const state *s, const ir_node *node,
 void run_next_unsequenced(unsequenced *u, state *s); /* call it between two operands */
 void run_end_unsequenced(unsequenced *u, state *s);
 
-/* ---- places of lvalues (must_write_place.c)
- * ------------------------------------------------------------- */
+/* ---- places of lvalues (must_write_place.c) -------------------------------------------------- */
 
 /** The kinds of places of an lvalue: in the analysed object, in a local variable with a tracked
  *  value, or elsewhere. */
