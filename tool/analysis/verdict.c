@@ -71,9 +71,10 @@ static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
     return true;
 }
 
-/* The unit, so that no element is split. Memory is divided among owners between units. If an
- * element extended over such a boundary, it would have two owners when another array overlaps with
- * it. A record with unaligned scalars is therefore one unit. */
+/* The size of the array's unit, chosen so that no element is split. The boundaries between owners'
+ * parts of memory are boundaries of units. If an element extended over one, and another array
+ * overlapped it, the element would have two owners. A record with unaligned scalars is therefore
+ * one unit. */
 static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     const ir_type *record = ir_type_innermost(row);
     if (record->kind != IR_RECORD || record->size <= unit ||

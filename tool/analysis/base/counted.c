@@ -179,9 +179,9 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
-/* May the condition be i + c < n with c > 0? It then counts like i < n - c: when the loop ends, i +
- * c equals the bound, or one more (<=), just as i does for i < n. Steps greater than 1 are
- * excluded, because i + c might exceed the type's greatest value. */
+/* May the condition be `i + c < n` with `c > 0`? It then counts like `i < n - c`: when the loop
+ * ends, `i + c` equals the bound, or one more (<=), just as `i` does for `i < n`. Steps greater
+ * than 1 are excluded, because `i + c` might exceed the type's greatest value. */
 static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
     return loop->ahead == 0 ||
            (!loop->counter->type->wraps && loop->step == 1 && !loop->stride &&

@@ -33,8 +33,8 @@ typedef struct reason {
 
 /* ---- the counted loop ---------------------------------------------------------------------- */
 
-/** A variable other than the counter that the header sets before the first iteration: `q` in for (i
- *  = 0, q = 5; ...), for (i = q = 5; ...), for (int i = 0, q = 5; ...). */
+/** A variable other than the counter that the header sets before the first iteration: `q` in
+ *  `for (i = 0, q = 5; ...)`, `for (i = q = 5; ...)` and `for (int i = 0, q = 5; ...)`. */
 typedef struct loop_start {
     ir_variable *variable;
     const ir_node *value; /* without side effects, and independent of other variables that the
@@ -218,8 +218,8 @@ typedef struct loop_source {
 /** An inner `for` whose trip count depends linearly on the counter i of the analysed loop, so that
  *  the two form a triangle:
  *      for (j = i + c; j < end; j++) or for (j = end; j < i + c; j++)
- *  Both steps are 1. The trip count in iteration i is `offset` + end - i, or with is_below `offset`
- *  + i - end; 0 if that is negative. */
+ *  Both steps are 1. The trip count in iteration i is `offset + end - i`, or with is_below
+ *  `offset + i - end`; 0 if that is negative. */
 typedef struct triangle {
     const ir_node *loop; /* NULL if there is none */
     const ir_node *end;  /* consists of numbers and of variables that the loop does not change */

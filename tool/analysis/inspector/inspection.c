@@ -22,8 +22,8 @@ static void add_touch(const loop_analysis *j, touch_list *list, const loop_sourc
     VECTOR_PUSH(j->an->memory, list, item);
 }
 
-/* Is the row assembled from copies of a call's arguments, as for add(h + s[t], v) and add_at(h,
- * s[t], v)? */
+/* Is the row assembled from copies of a call's arguments, as for `add(h + s[t], v)` and
+ * `add_at(h, s[t], v)`? */
 static bool is_assembled(const reduction_update *update) {
     return !ir_contains(update->statement, update->row);
 }

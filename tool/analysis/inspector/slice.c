@@ -392,9 +392,9 @@ static bool has_own_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH || ir_is_loop(node);
 }
 
-/* In iterations that do not read the row, may its address be far from the other rows, as for x[t -
- * 1] where t is 0? Such an address would extend the range over almost all memory, so evaluating the
- * read's condition is worth some work. */
+/* In iterations that do not read the row, may its address be far from the other rows, as for
+ * `x[t - 1]` where t is 0? Such an address would extend the range over almost all memory, so
+ * evaluating the read's condition is worth some work. */
 static bool is_wild(const slicer *s, const ir_node *node) {
     const ir_variable *counter = s->j->counted.counter;
     if (node->type && node->type->kind == IR_INTEGER)

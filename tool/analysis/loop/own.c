@@ -6,7 +6,7 @@
  *   nothing that the program would not do. The element also has this type before the loop, and
  *   since the loop stores late, other iterations cannot read it as another type (C17 6.5p7). Or
  *   each iteration stores to it before reading it. Then nothing is read at the beginning, and types
- *   distinguish only declared objects (6.5p6).
+ *   prove only that declared objects are disjoint (6.5p6).
  * - All other memory that the loop reads is disjoint from it, by proof or by a comparison before
  *   anything is written. Everything else that the loop writes is an update, with which all reads
  *   are compared. So no iteration can observe that the store happens later.

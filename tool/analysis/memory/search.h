@@ -5,9 +5,9 @@
 
 #include "ir/ir.h"
 
-/** Checks whether `read`, an access a[k] in the text of `function`, reads exactly a[from], a[from +
- *  1], ..., a[result] in each call. If so, returns the expression `from`, which the function
- *  converts to the type of the read's subscript. Otherwise returns NULL. */
+/** Checks whether `read`, an access a[k] in the text of `function`, reads exactly `a[from]`,
+ *  `a[from + 1]`, ..., `a[result]` in each call. If so, returns the expression `from`, which the
+ *  function converts to the type of the read's subscript. Otherwise returns NULL. */
 const ir_node *search_start(const ir_function *function, const ir_node *read);
 
 #endif

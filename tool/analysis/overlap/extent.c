@@ -220,8 +220,8 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
-/* Is the row n elements *(T (*)[n])p behind a pointer (callee_terms.c), and may an execution read
- * fewer? The object may end after those. */
+/* Does the row consist of n elements behind a pointer, *(T (*)[n])p (callee_terms.c), and may an
+ * execution read fewer? The object may end after those that it reads. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;

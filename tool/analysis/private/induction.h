@@ -23,8 +23,8 @@ typedef struct step_result {
     private_list privates;
 } step_result;
 
-/** The privates, including variables other than the counter that the header steps: for (...; i++, q
- *  += 3). */
+/** The privates, including variables other than the counter that the header steps:
+ *  `for (...; i++, q += 3)`. */
 step_result check_header_steps(const loop_analysis *j);
 
 #endif

@@ -13,9 +13,9 @@ static bool may_skip_iterations(const ir_node *body) {
            ir_has_kind(body, IR_CASE) || ir_has_kind(body, IR_DEFAULT);
 }
 
-/* Is it i or i + c for the counter i, which is `row`? Stores c, or 0, in *offset. An unsigned sum
- * is permitted only with c = 1, which does not wrap around, because the counter itself reaches i +
- * 1. */
+/* Is it `i` or `i + c` for the counter i, which is `row`? Stores c, or 0, in *offset. An unsigned
+ * sum is permitted only with `c = 1`, which does not wrap around, because the counter itself
+ * reaches `i + 1`. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (expression_is_variable(node, row))

@@ -223,8 +223,8 @@ static const char *check_locks(const loop_analysis *j, bool *protects) {
 
 /* ---- `for` --------------------------------------------------------------------------------- */
 
-/* Checks an `omp for`: redcc lets one thread of the team execute the loop, or all threads with the
- * variables of that one. Returns the problem, or NULL. */
+/* Checks an `omp for`. redcc lets one thread of the team execute the loop, or lets all threads
+ * execute it with the variables of one of them. Returns the problem, or NULL. */
 static const char *check_team(const loop_analysis *j, const openmp_loop *openmp) {
     const openmp_directive directive = {OPENMP_FOR, openmp->item_count, openmp->items, NULL};
     team_facts facts;

@@ -86,8 +86,9 @@ static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statem
     return true;
 }
 
-/* Does the statement write anything else? Local objects that a called function writes, as in s +=
- * energy(x, stress), do not count here: like all written variables, they must be proved private. */
+/* Does the statement write anything else? Local objects that a called function writes, as in
+ * `s += energy(x, stress)`, do not count here: like all written variables, they must be proved
+ * private. */
 static bool has_other_write(const loop_analysis *j, const ir_node *statement,
                             const loop_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {

@@ -219,8 +219,8 @@ static bool bind_constant(ir_node *node, void *context) {
     return true;
 }
 
-/* Binds constants that are declared outside the body with their values, as in const int dimension =
- * 3. */
+/* Binds constants that are declared outside the body with their values, as in
+ * `const int dimension = 3`. */
 static void bind_constants(const run *r, const ir_node *body, state *head) {
     constants known = {r->prover->scratch, body, head};
     ir_walk(r->function->body, bind_constant, &known);

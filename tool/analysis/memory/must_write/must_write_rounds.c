@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Computes trip counts that are known although the bounds are not, as in for (i = x - 1; i <= x +
- * 1; i++). */
+/* Computes trip counts that are known although the bounds are not, as in
+ * `for (i = x - 1; i <= x + 1; i++)`. */
 #include "analysis/base/counted.h"
 
 #include "analysis/base/expression.h"
