@@ -6,8 +6,8 @@
  *
  *  OpenMP permits this, because a team with one thread per block may do the same. OpenMP 4.5
  *  (2.7.1, 2.15.3.6) leaves open which thread executes which iterations, and in which order results
- *  are combined. It is therefore enough to show that the loop's body does not depend on which
- *  thread executes an iteration, where `schedule` determines that. */
+ *  are combined. It is therefore enough to show that the loop's body does not depend on the thread
+ *  that executes an iteration, if `schedule` determines this thread. */
 #ifndef ANALYSIS_FIXED_BLOCKS_H
 #define ANALYSIS_FIXED_BLOCKS_H
 
