@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Analyses all loops of a unit, with the user's pragmas. */
+/* Analyses all loops of a unit, taking the user's pragmas into account. */
 #include "analysis/analysis.h"
 
 #include <string.h>
@@ -36,7 +36,7 @@ static void note_pragmas(const analyser *an, loop_verdict *verdict) {
     verdict->pragma_count = found.count;
 }
 
-/* The options, with the functions that pragmas call pure. */
+/* The options, with the functions added that pragmas declare pure. */
 static const analysis_options *with_pragmas(arena *a, const analysis_options *options,
                                             const user_pragmas *pragmas) {
     VECTOR(const char *) pure = {0};
@@ -53,8 +53,8 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
     return all;
 }
 
-/* Is it a static function that #line places in another file and that nothing names? The compiler
- * emits no code for it. */
+/* Is it an unused static function that #line places in another file? The compiler generates no code
+ * for it. */
 static bool is_unused_of_header(const ir_unit *unit, const ir_function *function) {
     const source *s = unit->source;
     const ir_range range = function->range;

@@ -219,7 +219,8 @@ void analysis_assert_result(const ir_unit *unit, const analysis_result *result) 
     assert(result->verdict_count == 0 || result->verdicts);
     for (unsigned i = 0; i < result->verdict_count; i++)
         analysis_assert_verdict(unit, &result->verdicts[i]);
-    for (unsigned i = 1; i < result->verdict_count; i++) { /* in source order, outer loops first */
+    for (unsigned i = 1; i < result->verdict_count; i++) { /* verdicts are in source order, outer
+                                                            * loops before inner ones */
         const loop_verdict *before = &result->verdicts[i - 1], *here = &result->verdicts[i];
         assert(before->function != here->function || before->loop->id < here->loop->id);
     }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* All loops of a function: selects those of a nest that are analysed, and those that are
- * reported. */
+/* Selects which loops of a function's nests are analysed, and which are reported. */
 #include "analysis/nest.h"
 
 #include <assert.h>
@@ -16,7 +15,8 @@
 #include "analysis/verdict.h"
 #include "ir/ir_position.h"
 
-/* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
+/* For if (R[k] < v) { ... R[k] = v; ... }: the element R[k] that is compared and stored to. NULL if
+ * the statement has another form. */
 static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
     if (node->kind == IR_EXPRESSION)
         node = node->children[0];
@@ -30,8 +30,9 @@ static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
     return found;
 }
 
-/* Does the value of `v[k][1] = v[k][1] + 3` read the part of a vector that is assigned? Opaque
- * nodes equal nothing, but this only decides whether the loop is reported. */
+/* Does a value as in `v[k][1] = v[k][1] + 3` read the same part of a vector that is assigned?
+ * Opaque nodes count as equal here if their operands are, because this only decides whether the
+ * loop is reported. */
 static bool reads_opaque(const ir_node *value, const ir_node *target) {
     bool is_same = value->kind == IR_OPAQUE && value->child_count == target->child_count &&
                    target->child_count > 0;
@@ -42,7 +43,7 @@ static bool reads_opaque(const ir_node *value, const ir_node *target) {
     return is_same;
 }
 
-/* The target of an update whose loop is reported; or NULL. */
+/* The target of an update, if its loop should be reported; NULL if the node is no such update. */
 static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     update_group group;
     if (update_group_of(an->facts, node, &group))
@@ -65,7 +66,7 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     access_list list = {0};
     if (kind != CONFLICT_SHARED || call->children[0]->kind != IR_FUNCTION ||
         !call->children[0]->function->body)
-        return false; /* regular nests are reported by the array, which a call does not name */
+        return false; /* a report on a regular nest names the array, which a call does not show */
     access_collect(an->effects, call, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
@@ -88,8 +89,8 @@ static bool has_conflict(const analyser *an, const ir_node *loop, const ir_node 
     return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }
 
-/* An update at or below `node` that has a conflict of this kind in `loop`; NULL: none. `innermost`
- * excludes updates that also have it in an inner loop. */
+/* An update at or below `node` that has a conflict of this kind in `loop`; NULL if there is none.
+ * If `innermost` is set, updates that also have it in an inner loop are ignored. */
 static const ir_node *find_conflict(const analyser *an, const ir_node *loop, const ir_node *node,
                                     conflict_kind kind, bool innermost) {
     if (has_conflict(an, loop, node, kind)) {
@@ -110,7 +111,7 @@ static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node
     return find_conflict(an, loop, node, CONFLICT_SHARED, innermost) != NULL;
 }
 
-/* The innermost loop around `loop`; NULL: none. */
+/* The innermost loop around `loop`; NULL if there is none. */
 static const ir_node *loop_around(const ir_node *loop) {
     const ir_node *outer = loop->parent;
     while (outer && !ir_is_loop(outer))
@@ -129,8 +130,8 @@ static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
     return false;
 }
 
-/* Loops of a few iterations around or inside of others are not worth a parallel region, and loops
- * that only repeat inner ones have no work to distribute. */
+/* Is the loop worth analysing as a whole? A loop of a few iterations around or inside another is
+ * not worth a parallel region. A loop that only repeats inner loops has no work to distribute. */
 static bool is_candidate(const analyser *an, const ir_node *loop) {
     if (candidate_is_tiny(loop) && loop_around(loop))
         return false;
@@ -147,8 +148,8 @@ static bool has_reported_inside(const loop_search *s, unsigned from, const ir_no
     return false;
 }
 
-/* Was a loop directly inside accepted instead? It has far fewer iterations to distribute at a time,
- * so the user should see why this one was refused. */
+/* Was a loop directly inside accepted instead? That loop has far fewer iterations to distribute at
+ * a time, so the user should learn why the outer one was refused. */
 static bool inner_is_accepted(const loop_search *s, unsigned from, const loop_verdict *refused) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&
@@ -157,8 +158,8 @@ static bool inner_is_accepted(const loop_search *s, unsigned from, const loop_ve
     return false;
 }
 
-/* Was a loop inside refused since a directive of a loop around it is about both? The reason why the
- * directive stays is the outer loop's. */
+/* Was an inner loop refused because an OpenMP directive above an enclosing loop applies to both?
+ * The outer loop's verdict says why the directive must stay. */
 static bool inner_is_of_nest(const loop_search *s, unsigned from) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].why.id == REASON_EXISTING_OPENMP &&
@@ -199,7 +200,8 @@ static loop_verdict verdict_at(const loop_search *s, ir_node *loop) {
               : verdict_of(s->an, s->function, loop);
 }
 
-/* Analyses the loops below `node`, outermost first; an accepted loop covers all inner ones. */
+/* Analyses the loops below `node`, outer ones first. If a loop is accepted, its inner loops are not
+ * analysed. */
 static void search(loop_search *s, ir_node *node) {
     if (!ir_is_loop(node) || is_in_system_header(s, node)) {
         for (unsigned i = 0; i < node->child_count; i++)
@@ -239,7 +241,7 @@ static void search(loop_search *s, ir_node *node) {
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
         return;
     }
-    if (has_no_inspector) { /* an inner loop has one, whose plan can be reused */
+    if (has_no_inspector) { /* an inner loop has an inspector, whose plan can be reused */
         verdict.kind = VERDICT_REFUSE;
         verdict.why = reason_make(s->an->memory, REASON_INDEX_EXPENSIVE,
                                   verdict.facts->arrays[0].name, node->range);
@@ -248,15 +250,15 @@ static void search(loop_search *s, ir_node *node) {
         add_not_a_reduction(s, node);
         return;
     }
-    /* Refused: this loop is reported if it is the innermost around one of its updates, not counting
-     * tiny inner loops, or if it explains the verdict on an inner one. */
+    /* The loop is refused. It is reported if it is the innermost loop around one of its updates
+     * (tiny inner loops do not count), or if it explains the verdict on an inner loop. */
     if (verdict.loop &&
         (has_irregular(s->an, node, node, true) || !has_reported_inside(s, from, node) ||
          inner_is_accepted(s, from, &verdict) || inner_is_of_nest(s, from)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
-/* Is the loop inside one for which code is generated? */
+/* Is the loop inside a loop for which code is generated? */
 static bool is_inside_rewritten(const loop_search *s, unsigned from, const ir_node *loop) {
     for (unsigned i = from; i < s->verdicts.count; i++) {
         const loop_verdict *verdict = &s->verdicts.items[i];
@@ -274,8 +276,8 @@ static bool contains_transformed(const loop_search *s, unsigned from, const ir_n
     return false;
 }
 
-/* Adds a verdict about a loop's scalars. If the loop has one already, a new VERDICT_BLOCKS replaces
- * it, and any new verdict replaces VERDICT_NOT_A_REDUCTION. */
+/* Adds a verdict on a loop's scalars. If the loop has a verdict already, a new VERDICT_BLOCKS
+ * replaces it, and any new verdict replaces VERDICT_NOT_A_REDUCTION. */
 static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].loop == verdict.loop) {
@@ -289,7 +291,7 @@ static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
     VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
-/* Searches for loops whose OpenMP directive reduces scalars. */
+/* Finds loops whose OpenMP directive reduces scalars. */
 static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
     loop_verdict verdict;
     if (ir_is_loop(node) && !ir_position_in_header(s->an->unit, node) &&

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loops of a function: selects those of a nest that are analysed, and those that are
- *  reported. */
+/** Selects which loops of a function's nests are analysed, and which are reported. */
 #ifndef ANALYSIS_NEST_H
 #define ANALYSIS_NEST_H
 
@@ -8,7 +7,7 @@
 
 typedef struct loop_search {
     const analyser *an;
-    ir_function *function; /* the one being searched */
+    ir_function *function; /* the function being searched */
     VECTOR(loop_verdict) verdicts;
 } loop_search;
 

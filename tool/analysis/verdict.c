@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One loop: the steps of its analysis in order, and its verdict. */
+/* Analyses one loop by all checks in order, and gives its verdict. */
 #include "analysis/verdict.h"
 
 #include <assert.h>
@@ -26,7 +26,8 @@
 #include "analysis/reduction/scalars.h"
 #include "analysis/reduction/updates.h"
 
-/* Do all scalars of the record have this type, so that all its bytes are elements? */
+/* Do all scalars in the type have the type `element`, without padding, so that all its bytes belong
+ * to elements? */
 static bool is_homogeneous(const ir_type *type, const ir_type *element) {
     type = ir_type_innermost(type);
     if (type->kind != IR_RECORD)
@@ -51,9 +52,9 @@ static int64_t greatest_divisor(int64_t a, int64_t b) {
     return a;
 }
 
-/* Do all scalars of the type lie at multiples of their own size if objects of the type lie at
- * multiples of `grain`? False for packed records, and often for complex numbers, whose alignment is
- * half their size. */
+/* Is each scalar in the type at a multiple of its size, if objects of the type are at multiples of
+ * `grain`? False for packed records, and often for complex numbers, whose alignment is half their
+ * size. */
 static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
     const ir_type *inner = ir_type_innermost(type);
     if (inner != type)
@@ -70,8 +71,10 @@ static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
     return true;
 }
 
-/* Owners are cut between units: no element may lie across such a cut, or it would have two owners
- * if another array overlaps with it. A record with unaligned scalars is therefore one unit. */
+/* The size of the array's unit, chosen so that no element is split. The boundaries between owners'
+ * parts of memory are boundaries of units. If an element extended over one, and another array
+ * overlapped it, the element would have two owners. A record with unaligned scalars is therefore
+ * one unit. */
 static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     const ir_type *record = ir_type_innermost(row);
     if (record->kind != IR_RECORD || record->size <= unit ||
@@ -85,7 +88,7 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
         const ir_type *base = arrays[i].base->type;
-        if (arrays[i].is_scattered) { /* its rows lie at any distance from each other */
+        if (arrays[i].is_scattered) { /* the distances between its rows are arbitrary */
             arrays[i].unit = arrays[i].element->size;
             arrays[i].is_interleaved = true;
             continue;
@@ -101,8 +104,8 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     facts->array_count = j->arrays.count;
 }
 
-/* For a refused loop: the arrays with updates that have a conflict of this kind, as far as known.
- */
+/* For a refused loop: the arrays with updates that have a conflict of this kind, as far as they are
+ * known. */
 static array_list arrays_of_kind(const loop_analysis *j, conflict_kind kind) {
     array_list arrays = {0};
     access_list list = {0};
@@ -177,9 +180,10 @@ static loop_facts *finish_facts(const loop_analysis *j) {
 }
 
 /* ---- the checks, and the use of their results ---------------------------------------------------
- * Each gets the facts found so far as constants; only this file adds its results to them. */
+ * Each check gets the facts found so far as constants. Only this file adds a check's results to
+ * them. */
 
-/* The first reason found is the verdict's. */
+/* Sets the reason. Returns whether the check has passed, that is, found none. */
 static bool passes(loop_analysis *j, reason why) {
     j->why = why;
     return why.id == REASON_NONE;
@@ -286,7 +290,7 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
     bool is_fine = passes(&j, check_text(&j)) && passes(&j, check_jumps(&j)) && add_header(&j) &&
                    add_accesses(&j) && passes(&j, check_distribution(&j)) && add_header_steps(&j) &&
                    add_updates(&j);
-    /* An apparently shared array may be private to each iteration. */
+    /* an array that seemed to be shared may be private to each iteration */
     if (is_fine && j.arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
     is_fine = is_fine && passes(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
@@ -302,7 +306,8 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
                           .facts = facts};
 }
 
-/* Analyses the loop without the stores that can be made after all iterations, if any. */
+/* Analyses the loop without the stores that can be made after all iterations. Refuses it if there
+ * are none. */
 static loop_verdict analysed_without(const analyser *an, ir_function *function, ir_node *loop) {
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const distribution *stores = add_header(&j) ? distribution_find(&j) : NULL;
@@ -314,9 +319,9 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* If `found` is refused for a pointer that is read only under conditions, whose target must be
- * known when the loop begins, or behind which each iteration may have its own element: analyses the
- * loop with variables replacing its pointers. */
+/* Analyses the loop again, with variables in place of pointers that it loads, if `found` is a
+ * refusal that this may change. It may if a pointer is read only under conditions, if its target
+ * must be known when the loop begins, or if the elements behind it may be own elements. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     const reason_id why = found.why.id;
@@ -330,13 +335,14 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     loop_loads_take_out(loads);
     const loop_verdict loading = analysed(an, function, loop, NULL, exits, loads);
     loop_loads_put_back(loads);
-    /* if nothing is an iteration's own, only the array's name has changed */
+    /* without own elements, only the array's name has changed */
     return may_be_own && (loading.kind != VERDICT_TRANSFORM || !loading.facts->variables.own_count)
                ? found
                : loading;
 }
 
-/* Analyses the loop without its exits; VERDICT_NOT_A_REDUCTION if one of them cannot be removed. */
+/* Analyses the loop without its exits. The result is VERDICT_NOT_A_REDUCTION if one of them cannot
+ * be removed. */
 static loop_verdict analysed_staying(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_exits *exits = loop_exits_find(an->memory, ir_loop_body(loop));
     if (!exits)
@@ -370,7 +376,7 @@ static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_nod
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }
 
-/* May the reason be an access to an own element? */
+/* May the loop have been refused because of an access to an own element? */
 static bool is_about_stores(reason_id why) {
     return why == REASON_INDEX_ARRAY_WRITTEN || why == REASON_OTHER_STORE ||
            why == REASON_ARRAY_READ || why == REASON_ARRAY_STORED;
@@ -397,7 +403,8 @@ static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
                           .facts = finish_facts(j)};
 }
 
-/* The array of a store that is no update: `h[i] = 0`. */
+/* The name of the array to which a node stores or refers, for a store that is no update such as
+ * `h[i] = 0`. */
 static const char *name_written(const loop_analysis *j, const ir_node *store) {
     const ir_node *lvalue = expression_written(store);
     if (!lvalue)

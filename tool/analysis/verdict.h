@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One loop: all checks in order, and its verdict. */
+/** Analyses one loop by all checks in order, and gives its verdict. */
 #ifndef ANALYSIS_VERDICT_H
 #define ANALYSIS_VERDICT_H
 
@@ -7,11 +7,11 @@
 
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);
 
-/** The verdict on a loop whose updates, such as `update`, are all regular (conflict.h). */
+/** The verdict on a loop whose updates are all regular (conflict.h); `update` is one of them. */
 loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
                              const ir_node *update);
 
-/** The verdict on a loop that this pragma leaves sequential, with all its inner loops. */
+/** The verdict on a loop that a pragma leaves sequential, together with its inner loops. */
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma);
 

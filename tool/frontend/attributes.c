@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Attributes, of functions mostly: pure, const, noreturn, weak; alias, may_alias. */
+/* Reads attributes, mostly of functions: pure, const, noreturn, weak, alias, may_alias. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -13,10 +13,10 @@ static enum CXChildVisitResult find_unexposed(CXCursor child, CXCursor parent, C
     return *is_found ? CXChildVisit_Break : CXChildVisit_Continue;
 }
 
-/* Does the declaration have an attribute of one of these names? clang has no separate cursors for
- * many, and the source may spell them in many ways (in a namespace, by macros, spliced), so clang's
- * own print of the declaration is searched. Other text in that print may be taken for an attribute,
- * never the reverse. */
+/* May the declaration have an attribute with one of these names? libclang has no cursors for many
+ * attributes, and the source may write them in many ways (in a namespace, by macros, across line
+ * splices). This function therefore searches clang's own print of the declaration. False positives
+ * are possible, because other text in the print may match; false negatives are not. */
 static bool has_attribute(CXCursor declaration, const char *const *words, unsigned count) {
     bool has_unexposed = false;
     clang_visitChildren(declaration, find_unexposed, &has_unexposed);
@@ -39,7 +39,8 @@ bool has_cleanup(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* Does an assembler label or `#pragma redefine_extname` give it another symbol name? */
+/* Does an assembler label or `#pragma redefine_extname` give the declaration another symbol
+ * name? */
 static bool is_renamed(CXCursor declaration) {
     CXString mangled = clang_Cursor_getMangling(declaration);
     CXString spelled = clang_getCursorSpelling(declaration);
@@ -63,7 +64,8 @@ bool has_may_alias(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* The attribute's name may be spelled in a macro's definition. */
+/* Is the attribute known to be harmless? Its name is looked up at the spelling location, because it
+ * may be in a macro's definition. */
 static bool is_harmless(CXCursor attribute) {
     CXFile file;
     unsigned offset;
@@ -71,7 +73,7 @@ static bool is_harmless(CXCursor attribute) {
     const CXSourceLocation begin = clang_getRangeStart(clang_getCursorExtent(attribute));
     clang_getSpellingLocation(begin, &file, NULL, NULL, &offset);
     if (file == NULL)
-        return false; /* pasted from pieces */
+        return false; /* the name is made of pasted tokens */
     CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
     const char *text = clang_getFileContents(unit, file, &size);
     while (text != NULL && offset + length < size && source_is_word_byte(text[offset + length]))
@@ -151,11 +153,12 @@ static bool follows_pragma(const char *text, const char *word) {
     const char *at = word;
     while (at > text && at[-1] != '\n')
         at--;
-    const char *pragma = strstr(at, "ragma"); /* _Pragma too */
+    const char *pragma = strstr(at, "ragma"); /* also matches _Pragma */
     return pragma != NULL && pragma < word;
 }
 
-/* Marks the names between `word` and the end of its line, if a pragma precedes it. */
+/* Calls `mark` for each name between `word` and the end of its line, if a pragma precedes `word` on
+ * that line. */
 static void mark_names_after(converter *c, const char *text, const char *word,
                              void (*mark)(converter *c, const char *name, size_t length)) {
     for (const char *at = strstr(text, word); at != NULL; at = strstr(at, word)) {

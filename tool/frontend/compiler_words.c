@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Finds names by which the program may test which compiler compiles it. The parser is clang; the
- * compiler may be another. System headers are excluded: they are written for all compilers. */
-#define _GNU_SOURCE /* memmem */
+/* Finds names that may test which compiler is used. libclang parses as clang, but another compiler
+ * may build the program. System headers are not searched for them: they are written for all
+ * compilers. */
+#define _GNU_SOURCE /* for memmem */
 #include <ctype.h>
 #include <string.h>
 
@@ -10,14 +11,14 @@
 #include "frontend/lexing.h"
 #include "frontend/predefined.h"
 
-/* An attribute, and a pragma, of gcc's: reverses the bytes of numbers in memory. clang ignores
- * it. */
+/* An attribute and a pragma of gcc that set the byte order of numbers in memory. clang ignores
+ * both. */
 static const char storage_order[] = "scalar_storage_order";
 
-/* gcc's -fopenmp defines it, clang's does not. */
+/* A macro that gcc -fopenmp defines and clang -fopenmp does not. */
 static const char threads[] = "_REENTRANT";
 
-/* The whole name around `at`. */
+/* The whole name around `at`, copied. */
 static const char *name_at(converter *c, file_text file, const char *at) {
     const char *begin = at, *end = at;
     while (begin > file.text && source_is_name_byte(begin[-1]))
@@ -42,8 +43,8 @@ static const char *word_in(converter *c, file_text file) {
     return text_has(file, threads) ? threads : NULL;
 }
 
-/* The first name in the file that is an operator of #if, or a macro of clang's that the compiler
- * does not define; NULL: none. */
+/* The first name in the file that is an operator of #if (__has_include and the like), or a clang
+ * macro that the real compiler does not define. NULL if there is none. */
 static const char *parsers_word_in(converter *c, file_text file) {
     const char *at = file.text, *end = file.text + file.length;
     while (at != NULL && at < end) {
@@ -59,14 +60,14 @@ static const char *parsers_word_in(converter *c, file_text file) {
     return NULL;
 }
 
-/* May an attribute's arguments begin here, directly or after a line splice or a comment? */
+/* May an attribute's arguments begin at `at`, directly or after a line splice or a comment? */
 static bool may_have_arguments(const char *at, const char *end) {
     return at < end && (*at == '(' || *at == '\\' || *at == '/');
 }
 
-/* Does the file use the attribute optimize? With it gcc compiles a function with other options than
- * the file; clang's tree does not show it. `#pragma GCC optimize` does not count: it is parsed
- * separately. */
+/* May the file use the attribute optimize? gcc then compiles a function with other options than the
+ * file, which clang's tree does not show. `#pragma GCC optimize` is not counted here, because it is
+ * parsed separately. */
 static bool names_optimize(file_text file) {
     static const char word[] = "optimize", pragma[] = "GCC";
     const char *at = file.text, *const end = file.text + file.length;
@@ -85,8 +86,8 @@ static bool names_optimize(file_text file) {
     return false;
 }
 
-/* Does the file use the attribute target or target_clones? The tree does not show it if a macro
- * spells its name. */
+/* May the file use the attribute target or target_clones? The tree does not show an attribute whose
+ * name a macro spells. */
 static bool names_target(file_text file) {
     static const char word[] = "target";
     const char *at = file.text, *const end = file.text + file.length;
@@ -101,8 +102,8 @@ static bool names_target(file_text file) {
     return false;
 }
 
-/* Does a condition name true or false? In C23 they have values; older compilers take them for
- * undefined macros. */
+/* Does a condition (#if) contain `true` or `false`? In C23 they have values; older compilers treat
+ * them as undefined macros. */
 static bool tests_true_or_false(converter *c, CXFile file) {
     if (!c->compiler.flags->is_c23)
         return false;
@@ -115,8 +116,8 @@ static bool tests_true_or_false(converter *c, CXFile file) {
     return false;
 }
 
-/* It expands to a new number at each use, so that a copy of the text would have another one. System
- * headers are searched, too: their macros may use it. */
+/* A predefined macro that expands to a new number at each use, so a copy of the text would expand
+ * to other numbers. System headers are searched too, because their macros may use it. */
 static const char counter[] = "__COUNTER__";
 
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
@@ -144,7 +145,8 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
         c->unit->text.unseen_word = storage_order;
 }
 
-/* The body of a macro that an option defines is the program's text, too. */
+/* Searches the options, because the body of a macro that an option defines also belongs to the
+ * program's text. */
 static void search_options(converter *c) {
     const parse_flags *flags = c->compiler.flags;
     for (unsigned i = 0; i < flags->items.count; i++) {

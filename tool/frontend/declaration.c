@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Variables and functions, each converted when it is first used. */
+/* Converts variables and functions, each when it is first used. */
 #include "frontend/convert.h"
 
-/* From the name to the end of the declarator with its initialiser. */
+/* The range from the name to the end of the declarator, including its initialiser. */
 static ir_range range_from_name(converter *c, CXCursor declaration) {
     bool is_from_macro;
     CXSourceLocation name = clang_getCursorLocation(declaration);
@@ -14,7 +14,8 @@ static bool is_static(CXCursor declaration) {
     return clang_Cursor_getStorageClass(declaration) == CX_SC_Static;
 }
 
-/* Declared in a function and not only named there, as by `extern int x;`. */
+/* Is the variable declared in a function, and not merely named there by a declaration such as
+ * `extern int x;`? */
 static bool is_of_function(CXCursor declaration) {
     CXCursor parent = clang_getCursorSemanticParent(declaration);
     return clang_getCursorKind(parent) == CXCursor_FunctionDecl &&
@@ -31,7 +32,8 @@ static ir_storage storage_of(CXCursor declaration) {
     return clang_getCursorLinkage(declaration) == CXLinkage_Internal ? IR_STATIC : IR_GLOBAL;
 }
 
-/* The definition has the length of an array that other declarations leave open. */
+/* The type in the definition, if there is one. It has an array's length, which other declarations
+ * may omit. */
 static CXType type_of_variable(CXCursor declaration) {
     CXCursor definition = clang_getCursorDefinition(declaration);
     return clang_getCursorType(clang_Cursor_isNull(definition) ? declaration : definition);
@@ -82,7 +84,8 @@ static void convert_parameters(converter *c, ir_function *f, CXCursor declaratio
     f->parameter_count = (unsigned)count;
 }
 
-/* `declaration` is the definition if there is one: the body uses its parameters. */
+/* Fills in the function's properties. `declaration` must be the definition if there is one, because
+ * the body uses its parameters. */
 static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
     bool is_from_macro;
     f->name = take_string(c, clang_getCursorSpelling(declaration));
@@ -104,7 +107,7 @@ ir_function *convert_function(converter *c, CXCursor declaration) {
     const void *key = clang_getCanonicalCursor(declaration).data[0];
     f = map_get(c->converted.functions, &key, sizeof key);
     if (f != NULL) {
-        read_attributes(c, declaration, f); /* a later declaration may add some */
+        read_attributes(c, declaration, f); /* a later declaration may add attributes */
         *map_at(c->converted.functions, &own, sizeof own) = f;
         return f;
     }

@@ -10,7 +10,7 @@
 typedef struct scanner {
     arena *arena;
     const char *begin, *at, *end;
-    bool is_line_begin; /* only blanks and comments so far */
+    bool is_line_begin; /* the current line so far has only blanks and comments */
     VECTOR(ir_directive) found;
 } scanner;
 
@@ -18,7 +18,7 @@ unsigned splice_length(const char *p, const char *end) {
     unsigned length = 0;
     if (p < end && *p == '\\')
         length = 1;
-    else if (end - p >= 3 && strncmp(p, "?\?/", 3) == 0) /* a backslash, as a trigraph */
+    else if (end - p >= 3 && strncmp(p, "?\?/", 3) == 0) /* the trigraph for a backslash */
         length = 3;
     else
         return 0;
@@ -45,8 +45,8 @@ static void skip_block_comment(scanner *s) {
     s->at = s->at < s->end ? s->at + 2 : s->end;
 }
 
-/* To the line's end, or to the closing quote; an unterminated quote ends with the line, as in a
- * branch that is not compiled. */
+/* Skips to the end of the line, or past the closing quote. An unterminated quote ends with its
+ * line: branches that are not compiled may contain one. */
 static void skip_to(scanner *s, char close) {
     while (s->at < s->end && *s->at != '\n') {
         if (*s->at != '\\' && *s->at != '?' && *s->at != close) {
@@ -72,12 +72,12 @@ static void skip_quoted(scanner *s) {
     skip_to(s, close);
 }
 
-/* May the byte begin a piece or a directive? */
+/* May the byte begin a comment, a string, a splice or a directive? */
 static bool may_begin_piece(char c) {
     return c == '/' || c == '\\' || c == '?' || c == '"' || c == '\'' || c == '#' || c == '%';
 }
 
-/* Comments, strings and splices are skipped as one piece; other text byte by byte. */
+/* Skips a comment, string, character constant or splice as a whole; otherwise one byte. */
 static void skip_piece(scanner *s) {
     if (!may_begin_piece(*s->at)) {
         s->at++;
@@ -115,7 +115,7 @@ static void add(scanner *s, ir_directive_kind kind, const char *from) {
     VECTOR_PUSH(s->arena, &s->found, directive);
 }
 
-/* The directive's name after "#", skipping splices and comments. */
+/* Reads the directive's name after the "#", skipping splices and comments. */
 static void read_name(scanner *s, char name[16]) {
     size_t length = 0;
     while (s->at < s->end && *s->at != '\n') {
@@ -151,7 +151,7 @@ static ir_directive_kind kind_of(const char *name) {
     return IR_DIRECTIVE_OTHER;
 }
 
-/* `hash`: the length of the "#". */
+/* Reads a directive. `hash` is the length of its "#". */
 static void read_directive(scanner *s, unsigned hash) {
     const char *from = s->at;
     char name[16];
@@ -170,7 +170,7 @@ static unsigned hash_length(const scanner *s) {
     return starts_with(s, "?\?=") ? 3 : 0;
 }
 
-/* _Pragma ( "..." ) as a whole. */
+/* Reads _Pragma ( "..." ) as a whole. */
 static void read_pragma_operator(scanner *s) {
     const char *from = s->at;
     s->at += strlen("_Pragma");
@@ -209,7 +209,7 @@ static void scan(scanner *s) {
             s->is_line_begin = false;
             read_word(s);
         } else if (starts_with(s, "/*") || splice_length(s->at, s->end) > 0) {
-            skip_piece(s); /* the next may still begin a directive */
+            skip_piece(s); /* what follows on the line may still begin a directive */
         } else if (s->is_line_begin && hash_length(s) > 0) {
             read_directive(s, hash_length(s));
         } else {
@@ -229,6 +229,6 @@ ir_directive *directives_in(arena *a, const char *text, size_t length, unsigned 
 void find_directives(arena *a, ir_unit *unit) {
     unit->directives =
         directives_in(a, unit->source->text, unit->source->length, &unit->directive_count);
-    for (unsigned i = 1; i < unit->directive_count; i++) /* for binary search */
+    for (unsigned i = 1; i < unit->directive_count; i++) /* binary searches need this order */
         assert(unit->directives[i - 1].range.end <= unit->directives[i].range.begin);
 }

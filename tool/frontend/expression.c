@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Expressions. */
+/* Converts expressions. */
 #include <assert.h>
 #include <string.h>
 
@@ -30,13 +30,14 @@ cursor_list children_of(converter *c, CXCursor cursor) {
     return list;
 }
 
-/* ---- making nodes -------------------------------------------------------------------------- */
+/* ---- creating nodes -------------------------------------------------------------------------- */
 
 static const ir_type *type_of(converter *c, CXCursor cursor) {
     return convert_type(c, clang_getCursorType(cursor));
 }
 
-/* Only an expression that names or reaches an object can be an array; see decayed(). */
+/* May an expression of this kind have array type? Only one that names or reaches an object can; see
+ * decayed(). */
 static bool may_be_array(ir_kind kind) {
     return kind == IR_VARIABLE || kind == IR_INDEX || kind == IR_MEMBER || kind == IR_UNARY ||
            kind == IR_INITIALIZERS;
@@ -51,7 +52,7 @@ static ir_node *new_expression(converter *c, CXCursor cursor, ir_kind kind, unsi
     return node;
 }
 
-/* A node whose children are the expressions given, in their order. */
+/* Creates a node whose children are the given expressions, in this order. */
 static ir_node *convert_parts(converter *c, CXCursor cursor, ir_kind kind,
                               const cursor_list *parts) {
     ir_node *node = new_expression(c, cursor, kind, parts->count);
@@ -237,14 +238,15 @@ static ir_node *convert_conditional(converter *c, CXCursor cursor) {
 
 /* ---- access -------------------------------------------------------------------------------- */
 
-/* Arrays too: an array in libclang's sense that is used as a value is a pointer. */
+/* Is the expression a pointer, or an array that becomes a pointer when its value is used? */
 static bool is_pointer(CXCursor cursor) {
     enum CXTypeKind kind = clang_getCanonicalType(clang_getCursorType(cursor)).kind;
     return kind == CXType_Pointer || kind == CXType_ConstantArray ||
            kind == CXType_IncompleteArray || kind == CXType_VariableArray;
 }
 
-/* 3[a] too: clang gives the parts in the order of the text. */
+/* Converts a subscript. clang gives the parts in the order of the text, so for 3[a] they are
+ * exchanged here. */
 static ir_node *convert_subscript(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count != 2 || (!is_pointer(parts.items[0]) && !is_pointer(parts.items[1])))
@@ -258,7 +260,8 @@ static ir_node *convert_subscript(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* The record's own field that is `wanted`, or the anonymous member that contains it. */
+/* The record's own field that is `wanted`, or else its anonymous member that contains `wanted`.
+ * NULL if there is neither. */
 static const ir_field *field_containing(const ir_record *record, const ir_field *wanted) {
     for (unsigned i = 0; i < record->field_count; i++) {
         const ir_field *field = &record->fields[i];
@@ -278,8 +281,8 @@ static ir_node *member_node(converter *c, CXCursor cursor, ir_node *object, cons
     return node;
 }
 
-/* clang omits the anonymous members between an object and the named member; here each is a separate
- * step. */
+/* Converts a member access. clang omits the anonymous members between the object and the named
+ * member; here each becomes a separate node. */
 static ir_node *convert_member(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXCursor declaration = clang_getCursorReferenced(cursor);
@@ -301,7 +304,7 @@ static ir_node *convert_member(converter *c, CXCursor cursor) {
         step = field_containing(step->type->record, field);
         node = member_node(c, cursor, node, step);
     }
-    node->type = type_of(c, cursor); /* with the object's qualifiers */
+    node->type = type_of(c, cursor); /* includes the qualifiers of the object */
     return node;
 }
 
@@ -333,8 +336,9 @@ static ir_node *convert_call(converter *c, CXCursor cursor) {
 
 /* ---- casts, literals ----------------------------------------------------------------------- */
 
-/* The lengths in a type like double (*)[n] are evaluated by the cast; other expressions in the type
- * (in a typeof, for instance) are not. The operand comes last. */
+/* Converts a cast. Its operand is the last part. The parts before it are expressions in the type:
+ * lengths, as in double (*)[n], which the cast evaluates, and others (in a typeof, for instance),
+ * which it does not. */
 static ir_node *convert_cast(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 0 || (parts.count > 1 && has_variable_length(type_of(c, cursor))))
@@ -349,7 +353,7 @@ static bool is_braces(CXCursor cursor) {
 
 static ir_node *convert_compound_literal(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
-    unsigned last = parts.count - 1; /* expressions in the type come before */
+    unsigned last = parts.count - 1; /* the parts before the last are expressions in the type */
     if (parts.count == 0 || !is_braces(parts.items[last]) ||
         has_variable_length(type_of(c, cursor)))
         return opaque_expression(c, cursor, "compound literal");
@@ -360,7 +364,8 @@ static ir_node *convert_compound_literal(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* `[3] = x`, `.a.b = x`: clang shows them as an untyped expression whose last part is the value. */
+/* Is the initialiser designated, as in `[3] = x` or `.a.b = x`? clang shows it as an expression of
+ * type void whose last part is the value. */
 static bool is_designated(CXCursor cursor) {
     return clang_getCursorKind(cursor) == CXCursor_UnexposedExpr &&
            clang_getCursorType(cursor).kind == CXType_Void;
@@ -382,9 +387,11 @@ ir_node *convert_braces(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* clang does not show which association was chosen: it is the one with the type of the whole, if
- * that is unique. The first part is the controlling expression, which is not evaluated; but if a
- * type replaces it (clang's extension, C2y) it is an association as well. */
+/* Converts a generic selection to the chosen expression. clang does not show which association it
+ * chose: it is the one whose type is the type of the whole, if only one is. The first part is
+ * normally the controlling expression, which is not evaluated. If a type replaces it (clang's
+ * extension, C2y), the first part is an association too. A choice of the first part therefore
+ * becomes opaque. */
 static ir_node *convert_generic(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXType type = clang_getCanonicalType(clang_getCursorType(cursor));
@@ -406,8 +413,8 @@ static bool has_same_extent(converter *c, CXCursor a, CXCursor b) {
     return clang_equalRanges(extent_of(c, a), extent_of(c, b)) != 0;
 }
 
-/* An implicit conversion has one part, of the same extent. Any other unexposed expression is
- * opaque: `a ?: b`, va_arg, offsetof, an atomic builtin, ... */
+/* Converts an unexposed expression. An implicit conversion has one part with the same extent. All
+ * others become opaque: `a ?: b`, va_arg, offsetof, atomic builtins and so on. */
 static ir_node *convert_unexposed(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 1 && has_same_extent(c, cursor, parts.items[0]))

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* After all trees are complete: order, numbers, address_taken. */
+/* Finishes the unit after all trees are complete: sorts and numbers functions and variables, and
+ * sets address_taken. */
 #include "frontend/convert.h"
 
 #include "frontend/flags.h"
@@ -8,7 +9,7 @@
 
 /* ---- addresses taken ------------------------------------------------------------------------ */
 
-/* The variable that contains `node`, other than through a pointer. */
+/* The variable that contains the object `node`; NULL if the object is reached through a pointer. */
 static ir_variable *object_of(const ir_node *node) {
     for (;;) {
         bool is_part = (node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) ||
@@ -19,8 +20,8 @@ static ir_variable *object_of(const ir_node *node) {
     }
 }
 
-/* An array that is subscripted, dereferenced or passed to a function does not count; in other uses
- * its address becomes a value. */
+/* Does this use of an array make its address a value? False if the array is subscripted,
+ * dereferenced or passed to a function. */
 static bool lets_array_escape(const ir_node *array) {
     const ir_node *parent = array->parent;
     if (parent == NULL)
@@ -58,7 +59,7 @@ static void number_variable(ir_unit *unit, ir_variable *v) {
     if (v->id != 0)
         return;
     unit->variables[unit->variable_count++] = v;
-    v->id = unit->variable_count; /* + 1, until all are numbered */
+    v->id = unit->variable_count; /* the number + 1, until all variables are numbered */
 }
 
 static bool number_declared(ir_node *node, void *context) {
@@ -97,7 +98,8 @@ static void order_functions(converter *c) {
         unit->functions[i]->id = i;
 }
 
-/* The program may have its own definition of a symbol that a shared object exports. */
+/* Marks functions that another definition may replace: the program may define a symbol that a
+ * shared object exports. */
 static void mark_interposable(converter *c) {
     const parse_flags *chosen = c->compiler.flags;
     for (unsigned i = 0; i < c->unit->function_count; i++) {
@@ -113,7 +115,8 @@ void finish_unit(converter *c) {
     order_functions(c);
     number_variables(c);
     for (unsigned i = 0; i < c->unit->variable_count; i++)
-        assert(c->unit->variables[i]->id == i); /* it indexes arrays of facts */
+        assert(c->unit->variables[i]->id == i); /* the id is used as an index of arrays of
+                                                 * facts */
     mark_interposable(c);
     for (unsigned i = 0; i < c->unit->function_count; i++)
         assert(c->unit->functions[i]->id == i);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* strverscmp */
+#define _GNU_SOURCE /* for strverscmp */
 #include "frontend/flags.h"
 
 #include <glob.h>
@@ -12,8 +12,8 @@
 #include "support/compiler_options.h"
 #include "support/source.h"
 
-/* If the parser needs flags[i], adds it, with its argument if that is the next word. Returns the
- * index of the last word used. */
+/* Adds flags[i] if the parser needs it, together with its argument if that is the next word.
+ * Returns the index of the last word that belongs to the flag. */
 static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
                      const char *const *flags) {
     const option *known = option_find(flags[i]);
@@ -38,7 +38,8 @@ static bool is_folder(const char *path) {
     return path[0] != 0 && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* Paths of gcc's headers on common distributions, for the machine that this was built for. */
+/* Folders in which common distributions install gcc's headers, for the machine that redcc was built
+ * for. */
 #if defined(__x86_64__)
 #define GCC_FOLDERS "/usr/lib/gcc/x86_64-*linux*/*/include"
 #elif defined(__aarch64__)
@@ -55,7 +56,8 @@ const char *newest_folder(size_t count, char *const *paths) {
     return newest;
 }
 
-/* gcc's own headers: in the folder found when this was built, or those of the newest version. */
+/* The folder of gcc's own headers: the one found when redcc was built, else the folder of the
+ * newest version. */
 static const char *gcc_include_folder(arena *a) {
     if (is_folder(REDCC_GCC_INCLUDE))
         return REDCC_GCC_INCLUDE;
@@ -72,8 +74,8 @@ static void add(arena *a, parse_flags *chosen, const char *flag) {
     VECTOR_PUSH(a, &chosen->items, flag);
 }
 
-/* Old C that gcc only warns about, and clang's limits (bracket depth, number of errors), must not
- * stop the parser. */
+/* Adds flags so that the parser is not stopped by old C, which gcc only warns about, or by clang's
+ * limits (bracket depth, number of errors). */
 static void add_leniency(arena *a, parse_flags *chosen) {
     static const char *const flags[] = {
         "-xc",
@@ -86,7 +88,8 @@ static void add_leniency(arena *a, parse_flags *chosen) {
         "-Wno-error=incompatible-function-pointer-types",
         "-Wno-error=incompatible-pointer-types",
         "-Wno-error=return-mismatch",
-        "-D__malloc__(...)=__malloc__", /* gcc's omp.h gives the attribute arguments */
+        "-D__malloc__(...)=__malloc__", /* gcc's omp.h gives this attribute arguments, which clang
+                                         * does not accept */
     };
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         add(a, chosen, flags[i]);
@@ -129,7 +132,7 @@ void remove_machine_flags(parse_flags *flags) {
     flags->items.count = kept;
 }
 
-/* The user's own flags come after the compiler's macros, which they may change. */
+/* Notes the compiler's predefined macros, then the user's -D and -U, which may override them. */
 static void choose_predefined(arena *a, parse_flags *chosen, unsigned count,
                               const char *const *flags) {
     static const char name[] = "--predefined=";
@@ -157,14 +160,14 @@ static bool names_c89(const char *standard) {
     return is_one_of(standard, names);
 }
 
-/* c23 and gnu23 (also as c2x and gnu2x), and later standards. */
+/* Does the name mean C23 or later (c23, gnu23, c2x, gnu2x, ...)? */
 static bool names_c23(const char *standard) {
     return source_starts_with(standard, "c2") || source_starts_with(standard, "gnu2") ||
            strstr(standard, ":202");
 }
 
-/* Does the list name a sanitizer that may check arithmetic: any but these, which check memory and
- * threads? */
+/* Does the list name a sanitizer that may check arithmetic? That is any except those below, which
+ * check memory or threads. */
 static bool reports_arithmetic(const char *list) {
     static const char *const of_memory[] = {"address",          "leak",   "thread",
                                             "hwaddress",        "memory", "pointer-compare",
@@ -181,7 +184,8 @@ static bool reports_arithmetic(const char *list) {
     return false;
 }
 
-/* If options contradict each other, the last one counts; -fsanitize= accumulates. */
+/* Notes options of the language. If they contradict each other, the last one counts; -fsanitize=
+ * options add up. */
 static void note_language(parse_flags *chosen, const char *flag) {
     if (strcmp(flag, "-fno-strict-aliasing") == 0)
         chosen->strict_aliasing = false;
@@ -219,7 +223,8 @@ static void note_code(parse_flags *chosen, const char *flag) {
         chosen->math_errno = true;
 }
 
-/* `-isystem FOLDER` or `-isystemFOLDER`; `next` is the following word or NULL. */
+/* Notes the folder of `-isystem FOLDER` or `-isystemFOLDER`, and of -idirafter likewise. `next` is
+ * the next word, or NULL. */
 static void note_folder(arena *a, parse_flags *chosen, const char *flag, const char *next) {
     static const char *const names[] = {"-isystem", "-idirafter"};
     for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {
@@ -231,7 +236,7 @@ static void note_folder(arena *a, parse_flags *chosen, const char *flag, const c
     }
 }
 
-/* Folders that the environment gives gcc and clang. */
+/* Notes the folders in C_INCLUDE_PATH, which gcc and clang search like those of -isystem. */
 static void note_folders_of_environment(arena *a, parse_flags *chosen) {
     const char *list = getenv("C_INCLUDE_PATH");
     for (size_t length; list && *list; list += length + (list[length] == ':')) {
@@ -258,7 +263,8 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
         i = take(a, &chosen, i, count, flags);
     }
     note_folders_of_environment(a, &chosen);
-    /* Not -fopenmp itself: libclang would hide a loop inside the directive above it. */
+    /* -fopenmp itself is not passed on: libclang would show a loop only as part of the directive
+     * above it */
     if (chosen.has_openmp && !is_predefined(&chosen, "_OPENMP"))
         add(a, &chosen, "-D_OPENMP=201511");
     chosen.has_openmp |= is_predefined(&chosen, "_OPENMP");

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* May the compiled part of this file have floating-point arithmetic? Under some options its bits
- * depend on the compiler's inlining, which depends on the number of a function's calls. The copies
- * in a translated loop add calls, so even another loop's bits may change. */
+/* Tests whether the compiled part of a file may contain floating-point arithmetic. Under some
+ * options its bits depend on the compiler's inlining, which depends on how often a function is
+ * called. The copies in a translated loop add calls, so even the bits of another loop may
+ * change. */
 #include "frontend/convert.h"
 
 static bool is_floating(const ir_type *type) {
@@ -9,7 +10,8 @@ static bool is_floating(const ir_type *type) {
            (type->kind == IR_FLOATING || type->kind == IR_COMPLEX || type->kind == IR_OTHER_TYPE);
 }
 
-/* The type of the node's value. A declarator converts its initialiser without a separate node. */
+/* The type of the node's value. A declarator has its variable's type, to which it converts the
+ * initialiser without a separate node. */
 static const ir_type *type_made(const ir_node *node) {
     return node->kind == IR_DECLARATOR ? node->variable->type : node->type;
 }

@@ -12,8 +12,8 @@
 #include "frontend/lexing.h"
 #include "ir/ir_text.h"
 
-/* clang parses by recursion, about 10 KB a level; the system allocates only the part that is
- * used. */
+/* clang parses by recursion and needs about 10 KB per level of nesting. The system allocates only
+ * the part of the stack that is used. */
 enum { STACK_SIZE = 256 << 20 };
 
 /* ---- parsing ------------------------------------------------------------------------------- */
@@ -31,7 +31,7 @@ static bool any_diagnostic(CXTranslationUnit clang, diagnostic_test test) {
     return is_found;
 }
 
-/* An error outside of all files concerns the flags. */
+/* Is it an error outside of all files? Then it concerns the flags. */
 static bool is_about_flags(CXDiagnostic diagnostic) {
     CXFile file;
     clang_getExpansionLocation(clang_getDiagnosticLocation(diagnostic), &file, NULL, NULL, NULL);
@@ -101,7 +101,7 @@ static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXC
     return CXChildVisit_Continue;
 }
 
-/* `asm("...");`, which libclang shows as a declaration of no specific kind. */
+/* Is it `asm("...");`? libclang shows it as a declaration of no specific kind. */
 static bool is_assembler(CXCursor cursor) {
     if (clang_getCursorKind(cursor) != CXCursor_UnexposedDecl)
         return false;
@@ -114,7 +114,7 @@ static bool is_assembler(CXCursor cursor) {
     return is_found;
 }
 
-/* Converts the functions that the main file defines, and those of headers that is_wanted_of_header
+/* Converts the functions that the main file defines, and those in headers that is_wanted_of_header
  * selects. Any other function is converted when a converted one uses it. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
@@ -143,7 +143,8 @@ static bool is_plain_operator(CXCursor cursor) {
            (binary >= CXBinaryOperator_Mul && binary <= CXBinaryOperator_LOr);
 }
 
-/* Finds an operation other than arithmetic on variables and constants. */
+/* Sets *is_found if the expression contains an operation other than arithmetic on variables and
+ * constants. */
 static enum CXChildVisitResult find_effect(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
     bool *is_found = data;
@@ -152,7 +153,8 @@ static enum CXChildVisitResult find_effect(CXCursor child, CXCursor parent, CXCl
     case CXCursor_IntegerLiteral:
     case CXCursor_CharacterLiteral:
     case CXCursor_ParenExpr:
-    case CXCursor_UnexposedExpr: /* a conversion; its other meanings have parts of other kinds */
+    case CXCursor_UnexposedExpr: /* an implicit conversion; other unexposed expressions have parts
+                                  * of other kinds */
     case CXCursor_CStyleCastExpr:
         return CXChildVisit_Recurse;
     case CXCursor_UnaryOperator:
@@ -172,8 +174,9 @@ static bool computes_with_effect(CXCursor declaration) {
     return is_found;
 }
 
-/* Lengths in the types of parameters, `double (*a)[m++]`, are evaluated when the function is
- * entered (C17 6.9.1p10): opaque statements before those of its body represent them. */
+/* Puts opaque statements before those of the body for the lengths in the parameters' types, as in
+ * `double (*a)[m++]`: they are evaluated when the function is entered (C17 6.9.1p10). Lengths that
+ * have no effect are omitted. */
 static void put_lengths_first(converter *c, CXCursor definition, ir_node *body) {
     const int count = clang_Cursor_getNumArguments(definition);
     for (int i = count - 1; i >= 0; i--) {
@@ -214,7 +217,7 @@ static void convert_unit(converter *c) {
     c->unit->text.inclusions = c->headers.inclusions.items;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
-    for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are found */
+    for (unsigned i = 0; i < c->pending.count; i++) { /* the list grows as functions are found */
         function_body pending = c->pending.items[i];
         convert_body(c, &pending);
     }
@@ -234,11 +237,11 @@ static void convert_unit(converter *c) {
 static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang,
                         const parse_flags *flags) {
     ir_unit *unit = ARENA_NEW(a, ir_unit);
-    unit->dialect.has_openmp = flags->has_openmp; /* mark_names_in_pragmas depends on it */
+    unit->dialect.has_openmp = flags->has_openmp; /* must be set before mark_names_in_pragmas */
     unit->arena = a;
     unit->source = src;
     unit->dialect.strict_aliasing = true;
-    unit->dialect.wraps = flags->wraps; /* types depend on it */
+    unit->dialect.wraps = flags->wraps; /* must be set before types are converted */
     unit->text.macros = map_new(a);
     unit->text.macros_before = map_new(a);
     unit->text.names = map_new(a);
@@ -281,7 +284,7 @@ static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char
                                               parse_flags *chosen) {
     CXTranslationUnit clang = parse(index, t->source, name, chosen);
     if (clang == NULL || any_diagnostic(clang, is_about_flags)) {
-        /* a machine flag that only the user's compiler knows? */
+        /* perhaps a machine flag that only the user's compiler knows */
         remove_machine_flags(chosen);
         clang = parse_again(clang, index, t->source, name, chosen);
     }
@@ -291,8 +294,8 @@ static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char
     return clang;
 }
 
-/* Does the text name the attribute may_alias? In a cast or typeof libclang does not show it. It has
- * no arguments: before a parenthesis the name is a function's. */
+/* Does the text contain the attribute may_alias? libclang does not show it in a cast or typeof. The
+ * attribute has no arguments, so the name before a parenthesis belongs to a function. */
 static bool names_may_alias(const char *text) {
     static const char word[] = "may_alias";
     for (const char *at = strstr(text, word); at != NULL; at = strstr(at + 1, word))
@@ -322,8 +325,8 @@ static void run(void *data) {
         convert_diagnostics(t->arena, clang, name, &t->result);
         list_inclusions(t->arena, clang, &t->result);
         ir_unit *unit = convert(t->arena, t->source, name, clang, &chosen);
-        /* Disables strict aliasing for the whole file even if an attribute or a pragma does so only
-         * for a part of it; this costs only speed. */
+        /* Strict aliasing is disabled for the whole file even if an attribute or a pragma disables
+         * it only for a part. This costs only speed. */
         const bool is_disabled_in_text = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                                          names_may_alias(t->source->text);
         unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_disabled_in_text;
@@ -342,7 +345,8 @@ static void run(void *data) {
     clang_disposeIndex(index);
 }
 
-/* A thread's own heap would grow by a system call for each 128 KB. */
+/* Makes all threads share one heap that grows in large steps. A thread's own heap would need a
+ * system call for every 128 KB. */
 static void use_one_heap(void) {
 #ifdef __GLIBC__
     enum { GROWTH = 16 << 20 };
@@ -354,8 +358,8 @@ static void use_one_heap(void) {
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags) {
     task t = {.arena = a, .source = src, .flag_count = flag_count, .flags = flags};
-    /* libclang would parse on a separate thread with 8 MB of stack, which some hundred nested
-     * parentheses exhaust, and that ends the process. */
+    /* By default, libclang parses on a separate thread with a stack of 8 MB. A few hundred nested
+     * parentheses would overflow it and end the process. */
     setenv("LIBCLANG_NOTHREADS", "1", 0);
     use_one_heap();
     clang_executeOnThread(run, &t, STACK_SIZE);

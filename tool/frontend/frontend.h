@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Source text to IR, by libclang. No other folder uses libclang. */
+/** Converts source text to IR, using libclang. No other folder uses libclang. */
 #ifndef FRONTEND_FRONTEND_H
 #define FRONTEND_FRONTEND_H
 
@@ -8,39 +8,40 @@
 typedef struct frontend_diagnostic {
     const char *text; /* "file:line:column: error: ..." */
     bool is_error;
-    bool is_placed;  /* it is in the main file, at offset */
-    uint32_t offset; /* for text from a macro: of its expansion */
+    bool is_placed;  /* it is in the main file, at `offset` */
+    uint32_t offset; /* for text that a macro produces, the offset of the expansion */
 } frontend_diagnostic;
 
 typedef struct frontend_result {
-    ir_unit *unit; /* NULL: nothing could be parsed */
+    ir_unit *unit; /* NULL if nothing could be parsed */
     unsigned diagnostic_count;
     const frontend_diagnostic *diagnostics;
     unsigned file_count;
-    const char *const *files; /* files read, including the source itself, under the paths by which
-                               * they were found */
+    const char *const *files; /* the files that were read, including the source itself, under the
+                               * paths by which they were found */
 } frontend_result;
 
-/** Folders that the parser searches for its own headers, and for gcc's if its own do not suffice.
- *  In the arena; NULL if there is none. */
+/** The folder in which the parser searches for its own headers, and the folder of gcc's headers,
+ *  which it searches if its own do not suffice. The strings are in the arena; NULL if there is no
+ *  such folder. */
 typedef struct frontend_folders {
     const char *own;
     const char *of_gcc;
 } frontend_folders;
 frontend_folders frontend_header_folders(arena *a);
 
-/**
- * Parses `src` with the given compiler flags (of a gcc or clang command line; flags that libclang
- * must not see are removed here). All results are allocated in the arena. Functions of the main
- * file get bodies. Those of headers do if a converted function uses them; or, in the program's
- * own headers, if they may have loops and may be called. A function in which the
- * compiler reports an error has has_errors set: ill-formed statements vanish from libclang's tree,
- * so nothing in it may be analysed.
- */
+/** Parses `src` with the flags of a gcc or clang command line; flags that libclang must not see are
+ *  removed. All results are allocated in the arena.
+ *
+ *  Functions of the main file get bodies. A function of a header gets one if a converted function
+ *  uses it; or, in the program's own headers, if it may have a loop and may be called.
+ *
+ *  If the compiler reports an error inside a function, its has_errors is set, and nothing in it may
+ *  be analysed: ill-formed statements are missing from libclang's tree. */
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags);
 
-/** Version of the libclang in use, for --version. */
+/** The version of libclang, for --version. */
 const char *frontend_version(arena *a);
 
 #endif

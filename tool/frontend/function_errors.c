@@ -14,7 +14,7 @@ bool is_missing_header(CXDiagnostic diagnostic) {
     return is_missing;
 }
 
-/* Places of errors, and of inclusions of files with errors. */
+/* The location of an error, or of an #include that leads to a file with an error. */
 typedef struct error_place {
     CXFile file;
     unsigned offset;
@@ -23,8 +23,10 @@ typedef struct error_place {
 typedef struct error_list {
     converter *converter;
     VECTOR(error_place) places;
-    CXFile wanted;      /* a file with an error, whose inclusions are searched for */
-    bool is_incomplete; /* a header is missing: any name could have been a macro of it */
+    CXFile wanted;      /* a file with an error; the #include directives that lead to it are being
+                         * searched */
+    bool is_incomplete; /* a header is missing; any name in the file could have been one of its
+                         * macros */
 } error_list;
 
 static bool is_same(CXFile a, CXFile b) {
@@ -37,7 +39,7 @@ static void add_place(error_list *list, CXSourceLocation location) {
     VECTOR_PUSH(list->converter->arena, &list->places, place);
 }
 
-/* An error in an included text counts at each #include that leads to it. */
+/* Adds every #include that leads to the file with an error, directly or indirectly. */
 static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned length,
                             CXClientData data) {
     error_list *list = data;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops in the program's own headers: selects the functions to convert, and records where their
- * loops are. A header that the compiler takes for a system header is not the program's. */
+/* Handles loops in the program's own headers: selects the functions to convert, and records where
+ * their loops are. Headers that clang treats as system headers do not count as the program's
+ * own. */
 #include <string.h>
 
 #include "frontend/convert.h"
 #include "ir/ir_position.h"
 
-/* The file if it is neither the main file nor a system header; else NULL. */
+/* The file of the location, if it is neither the main file nor a system header; otherwise NULL. */
 static CXFile own_header_at(converter *c, CXSourceLocation location, ir_position *at) {
     CXFile file;
     clang_getExpansionLocation(location, &file, &at->line, &at->column, NULL);
@@ -16,7 +17,8 @@ static CXFile own_header_at(converter *c, CXSourceLocation location, ir_position
     return file;
 }
 
-/* Does the function's text contain a loop's keyword? A loop that a macro makes is missed. */
+/* May the function contain a loop, going by the keywords in its text? A loop that comes from a
+ * macro is missed. */
 static bool may_loop(converter *c, CXCursor definition) {
     CXSourceRange extent = clang_getCursorExtent(definition);
     CXFile begins, ends;
@@ -30,8 +32,8 @@ static bool may_loop(converter *c, CXCursor definition) {
     return text_has(text, "for") || text_has(text, "while") || text_has(text, "do");
 }
 
-/* A static function is converted if the main file names it anywhere, perhaps in the initialiser of
- * a table of functions. */
+/* Is the function named anywhere in the main file, perhaps in the initialiser of a table of
+ * functions? */
 static bool is_named_in_main_file(const converter *c, CXCursor definition) {
     CXString spelling = clang_getCursorSpelling(definition);
     const char *name = clang_getCString(spelling);
@@ -55,7 +57,7 @@ void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor) {
     if (file == NULL)
         return;
     at.file = name_of_file(c, file);
-    while (strncmp(at.file, "./", 2) == 0) /* as gcc names it */
+    while (strncmp(at.file, "./", 2) == 0) /* gcc's messages omit the "./" */
         at.file += 2;
     ir_position *kept = ARENA_NEW(c->arena, ir_position);
     *kept = at;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Pragmas in the program's own headers, which clang's tree does not show: FENV_ACCESS,
- * threadprivate, weak. System headers have none that matter here. */
+/* Finds pragmas in the program's own headers, which clang's tree does not show: FENV_ACCESS,
+ * threadprivate, weak. Those in system headers do not matter here. */
 #include <string.h>
 
 #include "frontend/convert.h"

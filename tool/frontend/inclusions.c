@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The files that a parse has read. */
+/* Lists the files that a parse has read. */
 #include "frontend/convert.h"
 #include "frontend/flags.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* memmem */
+#define _GNU_SOURCE /* for memmem */
 #include "frontend/lexing.h"
 
 #include <assert.h>
@@ -11,7 +11,7 @@
 
 static const char raw_string[] = "R\"", pragma_operator[] = "_Pragma";
 
-/* The word that ends at `end`. */
+/* The beginning of the word that ends at `end`. */
 static const char *word_before(const char *text, const char *end) {
     while (end > text && source_is_name_byte(end[-1]))
         end--;
@@ -25,7 +25,8 @@ static bool is_one_of(const char *word, size_t length, const char *const *words,
     return false;
 }
 
-/* R"delimiter( with a delimiter of at most 16 bytes; `-R"` may end a string. */
+/* Does the quote begin a raw string: R"delimiter( with a delimiter of at most 16 bytes? The prefix
+ * must be a whole word, because the text -R" may end an ordinary string. */
 static bool begins_raw_string(const char *text, const char *quote, const char *end) {
     enum { LONGEST_DELIMITER = 16 };
     const char *at = quote + 1;
@@ -38,7 +39,7 @@ static bool begins_raw_string(const char *text, const char *quote, const char *e
     return is_one_of(word, (size_t)(quote - word), prefixes, sizeof prefixes / sizeof *prefixes);
 }
 
-/* A backslash followed by one or more blanks up to the line's end. */
+/* Is the backslash followed by one or more blanks and then the line's end? */
 static bool is_blank_splice(const char *backslash, const char *end) {
     const char *at = backslash + 1;
     while (at < end && (*at == ' ' || *at == '\t' || *at == '\f' || *at == '\v'))
@@ -46,8 +47,8 @@ static bool is_blank_splice(const char *backslash, const char *end) {
     return at > backslash + 1 && at < end && (*at == '\n' || *at == '\r');
 }
 
-/* The construct that the splice may divide, going by the word before it: _Pragma, or the prefix of
- * a raw string. NULL: neither. */
+/* Which construct the splice may divide, judging by the word before it: _Pragma, or a raw string if
+ * the word is a prefix of one. NULL if neither. */
 static const char *split_word(const char *text, const char *splice) {
     static const char *const prefixes[] = {"R", "L", "LR", "u", "uR", "U", "UR", "u8", "u8R"};
     const char *word = word_before(text, splice);
@@ -59,16 +60,16 @@ static const char *split_word(const char *text, const char *splice) {
                                                                                  : NULL;
 }
 
-/* The byte after a splice, and after those that follow it. */
+/* The byte after the splice and after any splices that directly follow it. */
 static char byte_behind(const char *splice, const char *end) {
     for (unsigned length; (length = splice_length(splice, end)) > 0;)
         splice += length;
     return splice < end ? *splice : 0;
 }
 
-/* Does the byte end a block comment, according to a scan from the text's beginning? The scan is
- * reliable unless a quote between digits precedes the byte: after it, what appears to begin a
- * comment may be inside a character constant, or the reverse. */
+/* Does the byte end a block comment, according to a scan from the beginning of the text? False also
+ * if a digit separator (a quote between digits) precedes it: then a scanner may take code for a
+ * character constant, or the reverse. */
 static bool ends_comment(const char *text, const char *last) {
     const char *at = text, *begin = text;
     while (at <= last) {
@@ -79,15 +80,15 @@ static bool ends_comment(const char *text, const char *last) {
            !lexing_has_digit_separator(text, (size_t)(last - text));
 }
 
-/* Does the splice divide a token of two bytes: a comment's mark, a digraph, or a trigraph? */
+/* Does the splice divide a token of two bytes (a comment's mark, a digraph) or a trigraph? */
 static bool splits_mark(const char *text, const char *splice, const char *end) {
     const char before = splice > text ? splice[-1] : 0, behind = byte_behind(splice, end);
     return (before == '/' && (behind == '/' || behind == '*') && !ends_comment(text, splice - 1)) ||
            (before == '*' && behind == '/') || (before == '%' && behind == ':') || before == '?';
 }
 
-/* Does the text have pieces from which a macro may paste _Pragma: its first letters, or `_` and the
- * rest? */
+/* Does the text contain pieces from which a macro may paste _Pragma: a proper prefix such as
+ * `_Prag`, or both `_` and `Pragma`? */
 static bool has_pieces_of_pragma(const char *text, size_t length) {
     static const char *const firsts[] = {"_P", "_Pr", "_Pra", "_Prag", "_Pragm"};
     for (size_t i = 0; i < sizeof firsts / sizeof *firsts; i++)
@@ -113,7 +114,7 @@ const char *lexing_in_doubt(const char *text, size_t length) {
         return "?\?/";
     if (has_pieces_of_pragma(text, length))
         return pragma_operator;
-    /* directives of C23: compilers of an older language may ignore or obey them */
+    /* directives of C23, which a compiler of an older standard may ignore or obey */
     static const char *const conditions[] = {"elifdef", "elifndef"};
     for (size_t i = 0; i < sizeof conditions / sizeof *conditions; i++)
         if (source_has_name(text, length, conditions[i]))

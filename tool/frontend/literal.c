@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Literals and sizeof: their text, also if a macro's body spells them, and their value. */
+/* Converts literals and sizeof: their text (even if it is in a macro's body) and their value. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,8 @@
 
 /* ---- values -------------------------------------------------------------------------------- */
 
-/* clang_Cursor_Evaluate, for scalar expressions only: it crashes on others. */
+/* Evaluates an expression by clang_Cursor_Evaluate. The expression must be scalar, because libclang
+ * crashes on others. */
 static bool evaluate_integer(CXCursor cursor, int64_t *value) {
     CXEvalResult result = clang_Cursor_Evaluate(cursor);
     if (result == NULL)
@@ -46,8 +47,8 @@ static bool is_number_byte(const char *p, char before) {
     return isalnum((unsigned char)*p) || *p == '.' || *p == '_';
 }
 
-/* A preprocessing number (C17 6.4.8), without its line splices. In a hexadecimal one, "e" is a
- * digit and does not take a sign. */
+/* Reads a preprocessing number (C17 6.4.8) without its line splices; NULL if there is none. After
+ * the "e" of a hexadecimal number no sign follows, because there "e" is a digit. */
 static const char *number_text(converter *c, file_text at) {
     char text[256];
     size_t length = 0;
@@ -70,7 +71,7 @@ static const char *number_text(converter *c, file_text at) {
     return is_number && length < sizeof text - 1 ? arena_copy(c->arena, text, length) : NULL;
 }
 
-/* 'a', L'\n', u8'x': with prefix and quotes. */
+/* The text of 'a', L'\n' or u8'x', with prefix and quotes; NULL if it has another form. */
 static const char *character_text(converter *c, file_text at) {
     size_t i = 0;
     while (i < at.length && (isalnum((unsigned char)at.text[i])))
@@ -83,7 +84,7 @@ static const char *character_text(converter *c, file_text at) {
     return i < at.length && at.text[i] == '\'' ? arena_copy(c->arena, at.text, i + 1) : NULL;
 }
 
-/* "97", with the suffix for its type. */
+/* The value as a literal such as "97", with the suffix that its type requires. */
 static const char *value_text(converter *c, int64_t value, const ir_type *type) {
     const char *suffix = type->size > 4 ? "L" : "";
     if (!type->is_signed && type->size >= 4)
@@ -135,8 +136,8 @@ static ir_node *convert_floating(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* The floating literal's value as an integer. False: it is no integer, or too large for its type to
- * represent all integers next to it. */
+/* Stores the floating literal's value as an integer. Returns false if the value is no integer, or
+ * so large that its type cannot represent all neighbouring integers. */
 static bool whole_value(const ir_node *literal, int64_t *value) {
     const ir_type *type = literal->type;
     if (literal->kind != IR_NUMBER || type->kind != IR_FLOATING || type->size > 8)
@@ -156,8 +157,9 @@ static bool type_holds(const ir_type *type, int64_t value) {
            (type->is_signed || value >= 0) && (type->size > 4 || value == (int32_t)value);
 }
 
-/* C converts the integer to the floating type, which preserves the order of integers, and the
- * values next to the literal's. So a comparison of integers has the same result. */
+/* Makes a floating literal an integer literal of the other operand's type, as in i < 1e6. C would
+ * convert the integer operand to the floating type. That conversion preserves order and is exact
+ * near the literal, so comparing integers gives the same result. */
 void compare_as_integers(converter *c, ir_node *comparison) {
     for (unsigned side = 0; side < 2; side++) {
         ir_node *literal = comparison->children[side];
@@ -183,7 +185,8 @@ static ir_node *convert_character(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* Separates adjacent question marks: with a third byte some compilers read a trigraph. */
+/* Separates adjacent question marks by a backslash, because with a third byte some compilers read a
+ * trigraph. */
 static const char *without_trigraphs(converter *c, const char *literal) {
     if (strstr(literal, "??") == NULL)
         return literal;
@@ -202,7 +205,8 @@ static ir_node *convert_string(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* 1.0iF, as complex.h defines I: a GNU extension, which __extension__ marks. */
+/* Converts a literal such as 1.0iF, which complex.h uses to define I. It is a GNU extension, so it
+ * is marked by __extension__. */
 static ir_node *convert_imaginary(converter *c, CXCursor cursor) {
     file_text at = text_at(c, clang_getCursorLocation(cursor));
     const char *literal = number_text(c, at);
@@ -228,7 +232,8 @@ ir_node *convert_literal(converter *c, CXCursor cursor) {
     }
 }
 
-/* In a function with errors sizeof is not evaluated: clang may crash on ill-formed code. */
+/* Converts sizeof. In a function with errors it is not evaluated, because libclang may crash on
+ * ill-formed code. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor) {
     const ir_type *type = convert_type(c, clang_getCursorType(cursor));
     int64_t value;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Converts clang's locations to bytes of the main file, looking through macros. */
-#define _GNU_SOURCE /* memmem */
+/* Converts clang's locations to offsets in the main file, also if macros are involved. */
+#define _GNU_SOURCE /* for memmem */
 #include <assert.h>
 #include <string.h>
 
@@ -23,9 +23,9 @@ static unsigned end_of_expansion(const converter *c, uint32_t begin) {
     return (unsigned)(uintptr_t)map_get(c->expansions.ends, &begin, sizeof begin);
 }
 
-/* The location of the token, or of the macro expansion that made it. Tokens of an expansion are
- * located at its beginning; so a location elsewhere in the main file is the spelling, once all
- * expansions are known. */
+/* The location of a token, or of the macro expansion that produced it. clang places all tokens of
+ * an expansion at the expansion's beginning. Once all expansions are known, a location elsewhere in
+ * the main file is therefore no macro's. */
 static place place_of(const converter *c, CXSourceLocation location) {
     place p = {0};
     CXFile spelled;
@@ -102,8 +102,9 @@ void note_expansion(converter *c, CXCursor expansion) {
 
 /* ---- ranges -------------------------------------------------------------------------------- */
 
-/* If a range's last token is a macro's argument, clang gives its end as a place in the argument; if
- * it is of the macro's body, as the end of the expansion. */
+/* Corrects the end of a range whose last token comes from a macro. If the token is a macro's
+ * argument, clang gives a place in the argument; if it is in the macro's body, clang gives the end
+ * of the expansion. */
 static void find_end(const converter *c, place *end) {
     uint32_t offset = end->offset;
     if (!end->is_from_macro) {
@@ -135,7 +136,7 @@ void place_node(converter *c, ir_node *node, CXCursor cursor) {
 
 /* ---- texts --------------------------------------------------------------------------------- */
 
-/* A header's text, and its directives once they are requested. */
+/* A header's text, and its directives once they have been requested. */
 typedef struct header_text {
     file_text text;
     bool is_scanned;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Names of macros, wherever they are defined: generated text that uses one of them would change. */
-#define _GNU_SOURCE /* memmem */
+/* Collects the names of macros, wherever they are defined. Generated text that contains such a name
+ * would be changed by the macro. */
+#define _GNU_SOURCE /* for memmem */
 #include <ctype.h>
 #include <string.h>
 
@@ -8,7 +9,7 @@
 #include "frontend/directives.h"
 #include "frontend/flags.h"
 
-/* The position after blanks, comments and line splices. */
+/* The first position at or after `at` that is no blank, comment or line splice. */
 static const char *skip_spaces(const char *at, const char *end) {
     while (at < end) {
         const unsigned splice = splice_length(at, end);
@@ -26,7 +27,7 @@ static const char *skip_spaces(const char *at, const char *end) {
     return at;
 }
 
-/* `#define SIGINT SIGINT`: the macro named at `at` expands to its own name. */
+/* Does the macro named at `at` expand to its own name, as in `#define SIGINT SIGINT`? */
 static bool expands_to_itself(file_text at, const char *name, size_t length) {
     const char *end = at.text + at.length;
     if (at.length <= length || strncmp(at.text, name, length) != 0)
@@ -44,8 +45,9 @@ static void note(map *macros, const char *name, size_t length, bool is_function_
         *known = is_function_like ? IR_MACRO_AS_FUNCTION : IR_MACRO_AS_OBJECT;
 }
 
-/* Finding a macro's definition is the most expensive step. Few of the thousands of macros in
- * capitals in headers expand to themselves, so macros in capitals are assumed not to. */
+/* May the macro expand to its own name? Looking up its definition is the most expensive step here.
+ * Headers define thousands of macros in capitals, and few of them expand to themselves. Macros in
+ * capitals outside of the main file are therefore assumed not to. */
 static bool may_expand_to_itself(CXSourceLocation location, const char *name) {
     for (const char *p = name; *p; p++)
         if (islower((unsigned char)*p))
@@ -62,8 +64,8 @@ static bool is_built_in(CXSourceLocation location) {
     return is_own;
 }
 
-/* Does the compiler predefine the macro? Then the program's text may use it. Records a macro that
- * clang predefines and the compiler does not. */
+/* Does the compiler predefine the macro? If so, the program's text may use it. A macro that clang
+ * predefines and the compiler does not is added to parsers_own. */
 static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
                                size_t length) {
     const bool is_predefined = c->compiler.flags->predefined != NULL &&
@@ -107,9 +109,9 @@ const char *macro_name_defined(const char *at, const char *end) {
     return NULL;
 }
 
-/* clang sees no definitions in a branch that it does not compile; another compiler may. Names that
- * begin with __ are excluded: they are the compilers' own, and programs define them for compilers
- * that lack them. */
+/* clang does not show definitions in a branch that it does not compile, but another compiler may
+ * compile the branch. Names that begin with __ are left out: compilers define them, and programs
+ * define them only for compilers that do not. */
 void note_macros_of_directives(converter *c) {
     for (unsigned i = 0; i < c->unit->directive_count; i++) {
         const ir_directive *directive = &c->unit->directives[i];

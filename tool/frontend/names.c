@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The names that the program, including its headers, declares: generated text declares and uses
- * names, too. */
+/* Collects the names that the program and its headers declare, because generated text must declare
+ * other names. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -9,7 +9,7 @@ static bool has_members(enum CXCursorKind kind) {
     return kind == CXCursor_StructDecl || kind == CXCursor_UnionDecl || kind == CXCursor_EnumDecl;
 }
 
-/* Does it declare `int name(void)`, not static? */
+/* Is it a non-static declaration of the form `int name(void)` or `int name()`? */
 static bool is_query(CXCursor declaration) {
     const CXType type = clang_getCursorType(declaration);
     const bool takes_nothing =
@@ -21,7 +21,8 @@ static bool is_query(CXCursor declaration) {
            clang_getCursorLinkage(declaration) == CXLinkage_External;
 }
 
-/* Tags and enumerators in a record's declaration belong to the scope around it (C17 6.2.1p7). */
+/* Notes tags and enumerators inside a record's declaration, which belong to the scope around it
+ * (C17 6.2.1p7). */
 static enum CXChildVisitResult visit_member(CXCursor member, CXCursor parent, CXClientData data) {
     (void)parent;
     const enum CXCursorKind kind = clang_getCursorKind(member);

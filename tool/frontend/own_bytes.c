@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* `for (...) UPD(h, k[i], w);` ends inside a macro, but that expansion makes nothing else, so the
- * statement owns its bytes. It may be replaced as a whole. */
+/* Finds statements that own their bytes although a macro is involved. `for (...) UPD(h, k[i], w);`
+ * ends inside a macro's expansion. Nothing else comes from that expansion, so the whole statement
+ * may be replaced. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -24,7 +25,8 @@ static bool begins_in_macro(const converter *c, const ir_node *node) {
     return map_get(c->expansions.ends, &node->range.begin, sizeof node->range.begin) != NULL;
 }
 
-/* Is the last byte before it, ignoring blanks, the `)` of its controlling expression? */
+/* Is the last byte before the node, ignoring blanks, a `)`? Then the node directly follows the
+ * controlling expression of the statement around it. */
 static bool follows_parenthesis(const converter *c, const ir_node *node) {
     const char *text = c->unit->source->text;
     uint32_t at = node->range.begin;
@@ -33,8 +35,9 @@ static bool follows_parenthesis(const converter *c, const ir_node *node) {
     return at > 0 && text[at - 1] == ')';
 }
 
-/* A statement of a block owns its bytes if it shares none with the braces or another statement. A
- * loop that begins in a macro does not: the macro may put a pragma before it. */
+/* Does the statement of a block own its bytes? It must share none with the braces or another
+ * statement. A loop that begins in a macro does not own them, because the macro may put a pragma
+ * before it. */
 static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsigned index) {
     const ir_node *statement = block->children[index];
     bool is_strictly_inside = is_inside(statement->range, block->range) &&
@@ -45,7 +48,7 @@ static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsign
     return !ir_is_loop(statement) || !begins_in_macro(c, statement);
 }
 
-/* Does the last part of a statement (the body of a loop, for instance) own its bytes? */
+/* Does the last part of a statement (for instance a loop's body) own its bytes? */
 static bool owns_bytes_at_end(const converter *c, const ir_node *parent, unsigned index) {
     const ir_node *body = parent->children[index];
     if (index + 1 != parent->child_count || body->range.end != parent->range.end ||

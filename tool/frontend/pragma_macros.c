@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Macros of the program that may make a pragma: text that uses one contains a directive that
- * neither the text nor clang's tree shows. System headers define some only for their own
- * warnings. */
+/* Finds the program's macros that may expand to a pragma. Text that uses one contains a directive
+ * that neither the text nor clang's tree shows. System headers are not searched: they define such
+ * macros only for their own warnings. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -13,27 +13,28 @@ static const char pragma_operator[] = "_Pragma";
 typedef struct definition {
     const char *name;
     size_t length;
-    const char *rest; /* parameters and replacement */
+    const char *rest; /* text after the name: parameters and replacement */
 } definition;
 
 typedef struct search {
     converter *converter;
-    bool is_found;        /* some file names the operator */
-    bool has_fenv_access; /* some file names FENV_ACCESS */
-    const char
-        *hidden; /* text by which a pragma may be undetectable (see search_file); NULL: none */
+    bool is_found;        /* a file contains the operator _Pragma */
+    bool has_fenv_access; /* a file contains FENV_ACCESS */
+    const char *hidden;   /* text that may hide a pragma from this search (see search_file). NULL
+                           * if there is none */
     VECTOR(definition) all;
 } search;
 
-/* Is there a universal character name, \\u or \\U, outside of comments? After a quote between
- * digits the extent of comments is uncertain. */
+/* The first universal character name (\\u or \\U) outside of comments; NULL if there is none. If
+ * the file has a digit separator (a quote between digits), comments cannot be recognised reliably,
+ * so they are searched too. */
 static const char *universal_name_in(file_text file) {
     static const char *const marks[] = {"\\u", "\\U"};
     const char *at = file.text, *const end = file.text + file.length;
     if (!text_has(file, marks[0]) && !text_has(file, marks[1]))
         return NULL;
-    /* In C89, which has no // comments, the three bytes may end a comment that they appear to
-     * begin. */
+    /* C89 has no // comments, so the bytes "slash, star, slash" may end a comment there although a
+     * scanner of newer C sees its beginning */
     const bool sees_comments =
         !lexing_has_digit_separator(file.text, file.length) && !text_has(file, "/*/");
     while (at < end) {
@@ -58,8 +59,9 @@ static void search_file(CXFile file, CXSourceLocation *stack, unsigned depth, CX
     const file_text text = text_of_file(s->converter, file);
     s->is_found |= text_has(text, pragma_operator);
     s->has_fenv_access |= text_has(text, "FENV_ACCESS");
-    /* The tree does not show which variables a macro's pragma makes thread-local. With a universal
-     * character name a macro's name has two spellings. */
+    /* The tree does not show which variables a macro's pragma makes thread-local. A macro whose
+     * name has a universal character name can be written in two ways, so a search by name may miss
+     * it. */
     static const char thread_local_pragma[] = "threadprivate";
     const char *universal = universal_name_in(text);
     if (text_has(text, thread_local_pragma))
@@ -88,7 +90,8 @@ static void collect(CXFile file, CXSourceLocation *stack, unsigned depth, CXClie
     }
 }
 
-/* May the replacement contain the operator, directly, by another macro, or by pasting names? */
+/* May the replacement contain the operator _Pragma, directly, by another macro, or by pasting
+ * names? */
 static bool makes_pragma(const definition *it, const map *macros) {
     if (strstr(it->rest, pragma_operator) || strstr(it->rest, "##") || strstr(it->rest, "%:%:"))
         return true;
@@ -96,7 +99,7 @@ static bool makes_pragma(const definition *it, const map *macros) {
     return source_find_name(it->rest, it->rest + strlen(it->rest), macros, &length) != NULL;
 }
 
-/* Does any definition name the operator? If not, no macro can make it. */
+/* Does any definition contain the operator _Pragma? If not, no macro can produce it. */
 static bool some_definition_names_operator(const search *s) {
     for (unsigned i = 0; i < s->all.count; i++)
         if (strstr(s->all.items[i].rest, pragma_operator))

@@ -5,13 +5,13 @@
 
 #include "support/source.h"
 
-/* Other macros that only clang defines remain defined, because clang's own headers need them: a
- * program that names one is not analysed (compiler_words.c). */
+/* Other macros that only clang defines stay defined, because clang's own headers need them. A
+ * program that names one of these is not analysed (compiler_words.c). */
 static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};
 static const char *const types_of_gcc[] = {FLAGS_OF_GCC_TYPES};
 static const char *const without_features[] = {FLAGS_WITHOUT_FEATURES};
 
-/* Operators of #if. They remain defined, because clang's headers use them without testing whether
+/* Operators of #if. They stay defined, because clang's headers use them without testing whether
  * they exist. */
 static const char *const operators[] = {
     "__building_module",
@@ -54,7 +54,7 @@ static void add(arena *a, parse_flags *flags, const char *flag) {
     VECTOR_PUSH(a, &flags->items, flag);
 }
 
-/* `#define NAME BODY` or `#define NAME(PARAMETERS) BODY` as a flag. */
+/* Adds the line `#define NAME BODY` or `#define NAME(PARAMETERS) BODY` as a flag. */
 static void add_line(arena *a, parse_flags *flags, const char *line, size_t length) {
     static const char word[] = "#define ";
     if (length < sizeof word || strncmp(line, word, sizeof word - 1) != 0)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Structs and unions with their fields. */
+/* Converts structs and unions with their fields. */
 #include "frontend/convert.h"
 
 typedef struct field_list {
@@ -37,7 +37,8 @@ static void fill_fields(converter *c, ir_record *record, CXType type) {
         fill_field(c, &fields[i], list.fields.items[i]);
 }
 
-/* "struct node", "vec", or nothing. */
+/* Sets the record's name and spelling, such as "node" and "struct node". An unnamed record gets ""
+ * and NULL. */
 static void name_record(converter *c, ir_record *record, CXCursor declaration, CXType type) {
     const char *name = take_string(c, clang_getCursorSpelling(declaration));
     const char *spelling = take_string(c, clang_getTypeSpelling(type));
@@ -75,7 +76,7 @@ const ir_record *convert_record(converter *c, CXType canonical) {
 const ir_field *convert_field(converter *c, CXCursor field) {
     const void *key = field.data[0];
     ir_field *known = map_get(c->converted.fields, &key, sizeof key);
-    if (known == NULL) { /* its record has not been converted */
+    if (known == NULL) { /* the field's record has not been converted yet */
         CXCursor record = clang_getCursorSemanticParent(field);
         convert_type(c, clang_getCursorType(record));
         known = map_get(c->converted.fields, &key, sizeof key);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The meaning of names in the functions' text: the declaration that the compiler finds for each,
- * including those that the tree does not show (types, lengths, sizeof). */
+/* Finds the declaration to which each name in the functions' text refers, also for names that the
+ * tree does not show (in types, lengths and sizeof). */
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,8 +9,9 @@
 
 struct reference_table {
     map *declared;   /* canonical declaration -> ir_declared */
-    map *known;      /* any declaration -> ir_declared: finding the canonical one takes longer */
-    map *file_names; /* CXFile -> its name */
+    map *known;      /* any declaration -> ir_declared, to avoid the slower search for the
+                      * canonical declaration */
+    map *file_names; /* CXFile -> its path */
     VECTOR(ir_reference) items;
     VECTOR(ir_typed_place) typed_places;
 };
@@ -36,7 +37,8 @@ const char *name_of_file(converter *c, CXFile file) {
     return *known;
 }
 
-/* The structure, union or enumeration below the pointers and array lengths of a type name. */
+/* The structure, union or enumeration that a typedef names, perhaps through pointers and arrays.
+ * NULL if there is none. */
 static const ir_declared *tag_of(converter *c, CXCursor declaration) {
     if (clang_getCursorKind(declaration) != CXCursor_TypedefDecl)
         return NULL;
@@ -137,7 +139,8 @@ static int compare_typed_places(const void *left, const void *right) {
 }
 
 void finish_references(converter *c) {
-    assert(!c->unit->references && !c->unit->typed_places); /* called once */
+    assert(!c->unit->references && !c->unit->typed_places); /* this function is called only
+                                                             * once */
     struct reference_table *table = c->references;
     if (table->items.count > 0)
         qsort(table->items.items, table->items.count, sizeof *table->items.items,

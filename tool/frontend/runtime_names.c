@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Finds names in the text of the program and its headers that begin as the runtime's do. The output
- * includes the runtime's header, whose macros could change what conditions of the program mean, or
- * other text. Branches that are not compiled are searched, too, and the strings of _Pragma.
- */
+/* Finds names that begin like the runtime's in the program, its headers and its options. The output
+ * includes the runtime's header, whose macros could change the meaning of the program's conditions
+ * or other text. Branches that are not compiled and the strings of _Pragma are searched too. */
 #include <string.h>
 
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 #include "frontend/flags.h"
 
-/* Is there a splice inside a name? */
+/* Does a line splice follow directly after a byte of a name? */
 static bool splits_name(file_text file) {
     const char *at = file.text, *const end = file.text + file.length;
     while ((at = memchr(at, '\\', (size_t)(end - at))) != NULL) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Finds the directives that are followed by an uncompiled branch of #if. */
+/* Finds the directives after which the text is not compiled, because an #if excludes it. */
 #include "frontend/convert.h"
 
 static unsigned offset_of(CXSourceLocation location) {
@@ -8,13 +8,14 @@ static unsigned offset_of(CXSourceLocation location) {
     return offset;
 }
 
-/* clang's ranges extend from the directive whose condition is false into the one that ends the
- * branch. */
+/* Sets is_skipped. Each of clang's ranges begins in the directive whose condition is false, and
+ * ends in the directive that ends the branch. */
 void mark_skipped_directives(converter *c) {
     CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
     if (ranges == NULL)
         return;
-    unsigned next = 0; /* both are in order; ranges do not overlap, but may share a directive */
+    unsigned next = 0; /* Ranges and directives are both in order. Ranges do not overlap, but two
+                        * may share a directive. */
     for (unsigned i = 0; i < ranges->count; i++) {
         const unsigned begin = offset_of(clang_getRangeStart(ranges->ranges[i]));
         const unsigned end = offset_of(clang_getRangeEnd(ranges->ranges[i]));

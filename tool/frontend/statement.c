@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Statements and declarations in functions. */
+/* Converts statements, and declarations inside functions. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -38,7 +38,8 @@ static void add_parts(converter *c, ir_node *node, ir_node *block) {
     block->children[block->child_count++] = part;
 }
 
-/* a += e, b -= e; is { a += e; b -= e; } with one piece of text, which is replaced as a whole. */
+/* Makes the statement `a += e, b -= e;` a block { a += e; b -= e; }. All its parts have the range
+ * of the whole statement, which can only be replaced as a whole. */
 static ir_node *sequence(converter *c, ir_node *statement) {
     ir_node *all = statement->children[0];
     ir_node *block = ir_new(c->arena, IR_BLOCK, NULL, count_parts(all));
@@ -68,7 +69,8 @@ static ir_node *convert_block(converter *c, CXCursor cursor) {
 typedef struct declaration_list {
     converter *converter;
     cursor_list variables;
-    bool computes_length; /* a typedef has a variable length, evaluated when it is executed */
+    bool computes_length; /* a typedef has a length that is evaluated when the declaration is
+                           * executed */
 } declaration_list;
 
 static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
@@ -86,9 +88,9 @@ static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
     return CXChildVisit_Continue;
 }
 
-/* Represents a declarator's effects other than its initialisation: the lengths in its type are
- * evaluated, or a function is called at the end of its scope. The written initialiser, if any, is a
- * child. */
+/* Creates an opaque node for effects of a declarator that are not its initialisation: evaluating
+ * the lengths in its type, or calling a function at the end of its scope. The written initialiser,
+ * if any, is a child. */
 static ir_node *opaque_initialiser(converter *c, CXCursor declaration, const char *what) {
     const ir_type *type = convert_type(c, clang_getCursorType(declaration));
     return convert_opaque(c, declaration, type, what);
@@ -124,11 +126,12 @@ static ir_node *convert_declarator(converter *c, CXCursor declaration) {
     node->children = ARENA_ARRAY(c->arena, ir_node *, 1);
     node->children[0] = initialiser;
     if (initialiser->kind == IR_OPAQUE && initialiser->range.begin < node->range.begin)
-        initialiser->range = node->range; /* clang's extent includes the type before the name */
+        initialiser->range = node->range; /* clang's extent also includes the type before the
+                                           * name */
     return node;
 }
 
-/* The expressions below declarations and types. */
+/* Collects the expressions in a declaration and its types. */
 static enum CXChildVisitResult collect_expression(CXCursor child, CXCursor parent,
                                                   CXClientData data) {
     (void)parent;
@@ -149,7 +152,7 @@ ir_node *convert_lengths(converter *c, CXCursor cursor, const char *what) {
     return node;
 }
 
-/* Types and prototypes declared in a function leave no declarators. */
+/* Converts a declaration. Types and prototypes declared in a function produce no declarators. */
 static ir_node *convert_declaration(converter *c, CXCursor cursor) {
     declaration_list list = {.converter = c};
     clang_visitChildren(cursor, collect_variable, &list);
@@ -163,10 +166,10 @@ static ir_node *convert_declaration(converter *c, CXCursor cursor) {
 
 /* ---- for ----------------------------------------------------------------------------------- */
 
-/* Offsets of the semicolons in the header of a for, in a text that begins with it. */
+/* The semicolons in a for's header, as offsets in a text that begins with the for. */
 typedef struct for_header {
     size_t semicolons[2];
-    unsigned count; /* all that were found */
+    unsigned count; /* number of semicolons found; may exceed 2 */
     bool is_closed;
 } for_header;
 
@@ -205,7 +208,7 @@ static for_header scan_header(const char *text, size_t length) {
             continue;
         }
         if (at == '?' && i + 2 < length &&
-            text[i + 1] == '?') { /* a trigraph: none of them means a parenthesis */
+            text[i + 1] == '?') { /* a trigraph; none of them means a parenthesis */
             i += 3;
             continue;
         }
@@ -219,7 +222,8 @@ static for_header scan_header(const char *text, size_t length) {
     return header;
 }
 
-/* The offset of a part from the beginning of the for. */
+/* Stores the offset of `part` relative to the beginning of the for. Returns false if the part is in
+ * another file or before the for. */
 static bool place_in_for(CXCursor loop, CXCursor part, size_t *place) {
     CXFile loop_file, part_file;
     unsigned loop_offset, part_offset;
@@ -231,8 +235,8 @@ static bool place_in_for(CXCursor loop, CXCursor part, size_t *place) {
     return clang_File_isEqual(loop_file, part_file) && part_offset >= loop_offset;
 }
 
-/* Assigns each part to one of the three clauses, by the semicolons before it. clang omits empty
- * clauses; false: unknown. */
+/* Assigns each part to one of the header's three clauses, according to the semicolons before it,
+ * because clang omits empty clauses. Returns false if the clauses cannot be determined. */
 static bool assign_clauses(converter *c, CXCursor cursor, const cursor_list *parts,
                            CXCursor clauses[3], bool present[3]) {
     unsigned given = parts->count - 1;
@@ -289,7 +293,8 @@ static ir_node *convert_for(converter *c, CXCursor cursor) {
 
 /* ---- other statements ---------------------------------------------------------------------- */
 
-/* Condition or value, then statements. */
+/* Converts a statement whose first part is a condition or value and whose other parts are
+ * statements. */
 static ir_node *convert_controlled(converter *c, CXCursor cursor, ir_kind kind, unsigned least,
                                    unsigned most) {
     cursor_list parts = children_of(c, cursor);
@@ -312,7 +317,7 @@ static ir_node *convert_do(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* case 1 ... 3: the value is opaque, with both ends. */
+/* The range of `case 1 ... 3:` as an opaque node with both ends as its children. */
 static ir_node *case_range(converter *c, const cursor_list *parts) {
     ir_node *first = convert_expression(c, parts->items[0]);
     ir_node *range = ir_new(c->arena, IR_OPAQUE, first->type, 2);
@@ -334,7 +339,7 @@ static ir_node *convert_case(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* A label or `default`, and its statement. */
+/* Converts a label or `default`, with its statement. */
 static ir_node *convert_labelled(converter *c, CXCursor cursor, ir_kind kind) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count != 1)
@@ -364,7 +369,7 @@ static ir_node *convert_goto(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* return [value], goto *address. */
+/* Converts a return, or a goto to a computed address. */
 static ir_node *convert_jump(converter *c, CXCursor cursor, ir_kind kind) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count > 1)
@@ -375,14 +380,15 @@ static ir_node *convert_jump(converter *c, CXCursor cursor, ir_kind kind) {
     return node;
 }
 
-/* clang represents a pragma like `GCC unroll` as an attribute of the loop after it. */
+/* Does the statement's text begin with a pragma? clang represents a pragma such as `GCC unroll` as
+ * an attribute of the loop after it. */
 static bool begins_with_pragma(converter *c, CXCursor cursor) {
     bool is_from_macro;
     const ir_range range = range_of(c, extent_of(c, cursor), &is_from_macro);
     return range.begin < range.end && strchr("#%?", c->unit->source->text[range.begin]) != NULL;
 }
 
-/* A statement with attributes, which have no meaning here. */
+/* Converts a statement with attributes, which are dropped. */
 static ir_node *convert_unexposed_statement(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count != 1)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* clang's types to IR types; each canonical type once. */
+/* Converts clang's types to IR types. Each canonical type is converted once. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -9,7 +9,8 @@ bool is_nameless(const char *spelling) {
     return strstr(spelling, "(unnamed") != NULL || strstr(spelling, "(anonymous") != NULL;
 }
 
-/* clang's spelling, unless it contains the name of an unnamed type. */
+/* clang's spelling; NULL if it is empty or contains the name that clang invents for an unnamed
+ * type. */
 static const char *clang_spelling(converter *c, CXType type) {
     const char *text = take_string(c, clang_getTypeSpelling(type));
     return text[0] == 0 || is_nameless(text) ? NULL : text;
@@ -62,7 +63,7 @@ static const char *scalar_word(enum CXTypeKind kind) {
     }
 }
 
-enum { INT_SIZE = 4 }; /* narrower integers become int before they are added */
+enum { INT_SIZE = 4 }; /* in bytes; integers narrower than int become int in arithmetic */
 
 static bool fill_scalar(const converter *c, ir_type *type, CXType clang) {
     const char *word = scalar_word(clang.kind);
@@ -82,7 +83,7 @@ static void fill_complex(ir_type *type, CXType clang) {
     static const char *const words[] = {"cfloat", "cdouble", "cldouble"};
     enum CXTypeKind part = clang_getElementType(clang).kind;
     unsigned row = part == CXType_Float ? 0 : part == CXType_Double ? 1 : 2;
-    if (row == 2 && part != CXType_LongDouble) { /* GNU: complex integers */
+    if (row == 2 && part != CXType_LongDouble) { /* complex integers, a GNU extension */
         type->kind = IR_OTHER_TYPE;
         return;
     }
@@ -90,7 +91,7 @@ static void fill_complex(ir_type *type, CXType clang) {
     type->size = size_of(clang);
 }
 
-/* An enumeration is its integer type, with its own name if it has one. */
+/* Fills in an enumeration: its integer type, spelled by the enumeration's name if it has one. */
 static void fill_enumeration(converter *c, ir_type *type, CXType clang) {
     CXCursor declaration = clang_getTypeDeclaration(clang);
     CXType integer = clang_getCanonicalType(clang_getEnumDeclIntegerType(declaration));
@@ -112,7 +113,8 @@ static const ir_type *bottom(const ir_type *type) {
     return type;
 }
 
-/* "int (*)(int)" becomes "int (*const)(int)". */
+/* Adds qualifiers to the pointer: "int (*)(int)" becomes "int (*const)(int)". NULL if the spelling
+ * has another form. */
 static const char *qualified_function_pointer(converter *c, const ir_type *type,
                                               const char *spelling) {
     const char *star = strstr(spelling, "(*");
@@ -127,7 +129,8 @@ static const char *qualified_function_pointer(converter *c, const ir_type *type,
 static ir_type *qualified(converter *c, const ir_type *type, CXType quals) {
     ir_type *copy = ARENA_NEW(c->arena, ir_type);
     *copy = *type;
-    if (type->kind == IR_ARRAY) { /* an array's qualifiers are its elements' (C17 6.7.3 p9) */
+    if (type->kind == IR_ARRAY) { /* qualifiers of an array apply to its elements (C17 6.7.3
+                                   * p9) */
         copy->target = qualified(c, type->target, quals);
         if (copy->spelling != NULL)
             copy->spelling = ir_type_default_spelling(c->arena, copy);
@@ -172,13 +175,13 @@ static void fill_pointer(converter *c, ir_type *type, CXType clang) {
     type->kind = IR_POINTER;
     type->size = size_of(clang);
     type->target = convert_type(c, clang_getPointeeType(clang));
-    if (bottom(type)->kind == IR_FUNCTION_TYPE) /* only clang knows the parameters */
+    if (bottom(type)->kind == IR_FUNCTION_TYPE) /* only clang's spelling has the parameters */
         type->spelling = bottom(type)->spelling != NULL ? clang_spelling(c, clang) : NULL;
     else
         type->spelling = ir_type_default_spelling(c->arena, type);
 }
 
-/* Not part of the type as C spells it in a cast. */
+/* The spelling without the attribute noreturn, which cannot occur in a cast. */
 static const char *without_noreturn(converter *c, const char *spelling) {
     static const char attribute[] = " __attribute__((noreturn))";
     size_t length = spelling != NULL ? strlen(spelling) : 0, tail = sizeof attribute - 1;
@@ -221,7 +224,7 @@ static void fill_other(converter *c, ir_type *type, CXType clang) {
     }
 }
 
-/* `clang` is canonical and has no relevant qualifiers. */
+/* Fills in the IR type. `clang` is canonical and has none of the qualifiers in has_qualifiers. */
 static void fill(converter *c, ir_type *type, CXType clang) {
     type->size = -1;
     type->count = -1;
@@ -257,10 +260,12 @@ static void fill(converter *c, ir_type *type, CXType clang) {
     }
 }
 
-/* "int (int)" becomes "int (*)(int)". */
+/* Spells the pointer to a function: "int (int)" becomes "int (*)(int)". NULL if the spelling has
+ * another form. */
 static const char *function_pointer(converter *c, const char *function) {
     const char *open = function != NULL ? strchr(function, '(') : NULL;
-    if (open == NULL || open[1] == '*') /* it returns a pointer to a function: too rare */
+    if (open == NULL || open[1] == '*') /* A function that returns a pointer to a function is too
+                                         * rare to be handled. */
         return NULL;
     return arena_format(c->arena, "%.*s(*)%s", (int)(open - function), function, open);
 }
@@ -301,8 +306,8 @@ static bool has_qualifiers(CXType type) {
            clang_isRestrictQualifiedType(type) || clang_getAddressSpace(type) != 0;
 }
 
-/* Does the type, or its target, have a typedef with the attribute may_alias? The canonical type
- * does not show it. */
+/* Does the type, or a type it points to, name a typedef with the attribute may_alias? The canonical
+ * type does not show this. */
 static bool names_may_alias(CXType type) {
     while (type.kind != CXType_Invalid) {
         switch (type.kind) {

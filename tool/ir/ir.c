@@ -133,7 +133,7 @@ bool ir_has_effect(const ir_node *node) {
     return ir_any(node, is_effect);
 }
 
-/* Is the value that `child` gives to its parent used there? */
+/* Is the value of `child` used by `parent`, or by a node above it? */
 static bool parent_uses_value(const ir_node *parent, const ir_node *child) {
     switch (parent->kind) {
     case IR_EXPRESSION:
@@ -142,7 +142,7 @@ static bool parent_uses_value(const ir_node *parent, const ir_node *child) {
         return child != parent->children[0] && child != parent->children[2];
     case IR_CAST:
         return parent->type->kind != IR_VOID;
-    case IR_CONDITIONAL: /* the chosen side's value is the whole's */
+    case IR_CONDITIONAL: /* the value of the chosen operand is the value of the conditional */
         return child == parent->children[0] || ir_value_is_used(parent);
     case IR_BINARY:
         if (parent->op == IR_OP_COMMA)

@@ -6,14 +6,17 @@
 
 #include "ir/ir_words.h"
 
-enum { MOST_NODES = 200 }; /* of one address; calls within arguments multiply them */
+enum {
+    MOST_NODES = 200
+}; /* nodes of one address. Nested accessor calls in arguments can
+    * multiply them */
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
 
 typedef struct accessors {
     arena *memory;
     const ir_unit *unit;
-    progress *functions; /* by id */
+    progress *functions; /* state of each function, by its id */
 } accessors;
 
 static void look_through(accessors *a, ir_function *function);
@@ -23,15 +26,16 @@ static bool is_of_file(const ir_variable *variable) {
            variable->storage == IR_THREAD_LOCAL;
 }
 
-/* A variable of the file, or a parameter of the function itself; but not one whose row length
- * depends on the function's local variables. */
+/* Is the variable of file scope or a parameter of `function`? False for a parameter whose row
+ * length depends on the function's local variables. */
 static bool can_be_named(const ir_variable *variable, const ir_function *function) {
     return is_of_file(variable) ||
            (variable->storage == IR_PARAMETER && variable->function == function &&
             !ir_type_is_variably_modified(variable->type));
 }
 
-/* Only these operators, because others compute more than an address. */
+/* Is it an operator or operand that may occur in an address? Other operators compute more than an
+ * address. */
 static bool is_operator(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -58,14 +62,14 @@ static bool is_place(const ir_node *node, const ir_function *function) {
     return true;
 }
 
-/* May a call do more than the body shows? */
+/* May a call do something that the body does not show? */
 static bool is_unknown(const ir_function *function) {
     return function->body == NULL || function->is_variadic || function->has_errors ||
            function->has_other_attributes || function->linkage.is_weak ||
            function->linkage.is_renamed;
 }
 
-/* The address that the function returns, if it does nothing else; NULL otherwise. */
+/* The address that the function returns, if it does nothing else; otherwise NULL. */
 static const ir_node *returned_place(accessors *a, ir_function *function) {
     if (is_unknown(function) || a->functions[function->id] == BEGUN)
         return NULL;
@@ -89,7 +93,8 @@ static bool has_volatile_type(const ir_node *node) {
     return node->type && (node->type->is_volatile || node->type->is_atomic);
 }
 
-/* An argument may be evaluated once, several times or not at all. */
+/* Can the arguments replace the parameters? Each argument may then be evaluated once, several times
+ * or not at all, so it must have no effect. */
 static bool can_be_put_in(const ir_node *call, const ir_function *function) {
     if (call->child_count != function->parameter_count + 1)
         return false;
@@ -125,7 +130,7 @@ static bool has_variable(const ir_unit *unit, const ir_function *caller, const c
     return false;
 }
 
-/* Does the caller have another variable with a name that the address uses? */
+/* Does the caller have a variable with the same name as a file-scope variable in the address? */
 static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir_node *place) {
     if (place->kind == IR_VARIABLE && is_of_file(place->variable) &&
         has_variable(unit, caller, place->variable->name))
@@ -136,13 +141,13 @@ static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir
     return false;
 }
 
-/* The names in an address must be declared before the caller. */
+/* Is the accessor defined before the caller? Then all names in its address are declared there. */
 static bool is_defined_before(const ir_function *function, const ir_function *caller) {
     return !function->is_in_main_file || !caller->is_in_main_file ||
            function->range.begin < caller->range.begin;
 }
 
-/* The address in the caller's terms; the call itself if it does not call an accessor. */
+/* The address with the arguments substituted; the call itself if it does not call an accessor. */
 static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *call) {
     ir_function *function = ir_called_function(call);
     const ir_node *place = function ? returned_place(a, function) : NULL;
@@ -157,7 +162,8 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     return copy;
 }
 
-/* Simplifies an address that replaces a call: *&x becomes x, (&x)->m becomes x.m. */
+/* Simplifies an access to an address that replaced a call: *&x becomes x, and (&x)->m becomes
+ * x.m. */
 static void simplify_address(ir_node *node) {
     ir_node *object = node->children[0]->children[0];
     if (node->kind == IR_MEMBER) {
@@ -179,8 +185,8 @@ static bool is_sum_of_pointer(const ir_node *node) {
            node->children[0]->type && node->children[1]->type;
 }
 
-/* The number converted to the width of addresses, so that sums of subscripts do not overflow where
- * sums with the pointer do not. */
+/* Converts the number to the width of an address: sums of subscripts could overflow in a narrower
+ * type where sums with the pointer do not. */
 static ir_node *as_long(accessors *a, ir_node *number) {
     if (number->type->kind == IR_INTEGER && number->type->is_signed && number->type->size == 8)
         return number;
@@ -193,7 +199,7 @@ static ir_node *as_long(accessors *a, ir_node *number) {
     return cast;
 }
 
-/* Splits p + e - f + ...: returns p, and stores e - f + ... in *subscript. */
+/* Splits a sum p + e - f + ... : returns p and stores e - f + ... in *subscript. */
 static ir_node *split_sum(accessors *a, ir_node *sum, ir_node **subscript) {
     const ir_type *left = sum->children[0]->type;
     const unsigned side = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
@@ -228,8 +234,8 @@ static void become_element(accessors *a, ir_node *node, ir_node *base, ir_node *
     node->children[1] = subscript;
 }
 
-/* *(p + k) becomes p[k], (p + k)->m becomes p[k].m, with one subscript for several summands: the
- * only form that the analysis handles. */
+/* Rewrites *(p + k) as p[k], and (p + k)->m as p[k].m. Several summands become one subscript,
+ * because the analysis handles only this form. */
 static void simplify_sum(accessors *a, ir_node *node) {
     ir_node *sum = node->children[0], *subscript;
     ir_node *base = split_sum(a, sum, &subscript);
@@ -243,7 +249,7 @@ static void simplify_sum(accessors *a, ir_node *node) {
     become_element(a, element, base, subscript);
 }
 
-/* *a of an array becomes a[0]. */
+/* Rewrites the access *a to an array a as a[0]. */
 static void simplify_array(accessors *a, ir_node *node) {
     ir_type *type = ARENA_NEW(a->memory, ir_type);
     ir_scalar_type(type, ir_scalar_named("int", 3));

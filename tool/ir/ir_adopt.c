@@ -13,12 +13,13 @@ typedef struct adoption {
     ir_unit *from;
     ir_adoptable may_be;
     void *context;
-    map *functions, *variables, *types, *records; /* of `from` -> the unit's */
-    uint64_t *digests; /* of the functions of `from`, by id, before anything in them changes */
-    map *own_records;  /* spelling -> a type of the unit */
+    map *functions, *variables, *types, *records; /* maps from objects of `from` to the unit's */
+    uint64_t *digests; /* digests of the functions of `from`, by id, computed before any of their
+                        * nodes change */
+    map *own_records;  /* a record's spelling -> a type of the unit */
     VECTOR(ir_function *) added;
-    VECTOR(ir_function *) bodies; /* to be processed */
-    VECTOR(ir_variable *) more;   /* to be added to the unit's variables */
+    VECTOR(ir_function *) bodies; /* functions whose bodies are still to be processed */
+    VECTOR(ir_variable *) more;   /* variables to be added to the unit */
 } adoption;
 
 /* ---- records --------------------------------------------------------------------------------- */
@@ -54,8 +55,8 @@ static void note_records(adoption *d) {
 
 static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth);
 
-/* Compares types of two parses: records behind pointers by their names, others also by their
- * contents. `depth`: the number of records around. */
+/* Are types of two parses equal? Records behind pointers are compared by name, other records by
+ * their contents. `depth` is the number of enclosing records. */
 static bool types_alike(const ir_type *a, const ir_type *b, unsigned depth) {
     bool is_pointee = false;
     while (a && b && a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY)) {
@@ -90,7 +91,8 @@ static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth
 
 static const ir_type *adopt_type(adoption *d, const ir_type *type);
 
-/* The unit's own record if it has an equal one; else a copy, which the unit's text cannot name. */
+/* The unit's own record if it has an equal one; otherwise a copy, which the unit's text cannot
+ * name. */
 static const ir_record *adopt_record(adoption *d, const ir_record *record) {
     void **known = map_at(d->records, &record, sizeof record);
     if (*known)
@@ -176,7 +178,8 @@ static ir_variable *adopt_variable(adoption *d, ir_variable *v) {
     v->range = (ir_range){0};
     v->declared = NULL;
     v->is_unnamed = true;
-    if (v->storage == IR_STATIC) { /* other functions of that file may change it in any way */
+    if (v->storage == IR_STATIC) { /* functions of the other file may change it, as if it were
+                                    * external */
         v->storage = IR_GLOBAL;
         v->name = arena_format(d->unit->arena, "%s of %s", v->name, d->from->source->path);
     }
@@ -203,7 +206,8 @@ static bool is_taken(const adoption *d, const ir_function *function) {
            (function->linkage.is_static || d->may_be(d->from, function, d->context));
 }
 
-/* One type; or pointers to one structure that only the defining file completes. */
+/* May a value of type `other` be passed as `own`? True for equal types, and for pointers to
+ * structures of the same name that `own` leaves incomplete. */
 static bool is_passed_as(const ir_type *own, const ir_type *other) {
     if (ir_type_equal(own, other))
         return true;
@@ -264,13 +268,13 @@ static ir_function *adopt_function(adoption *d, ir_function *function) {
     if (is_body_taken && !own)
         take_body(d, function, function, digest);
     else
-        function->body = NULL; /* unknown body */
+        function->body = NULL; /* its body stays unknown */
     return function;
 }
 
 /* ---- bodies ---------------------------------------------------------------------------------- */
 
-/* Names of constants have no meaning in this file. */
+/* Replaces the name of a constant, which has no meaning in this file, by its value. */
 static void spell_number(arena *a, ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) ||
         (node->kind == IR_NUMBER && node->text && isdigit((unsigned char)node->text[0])))
@@ -301,14 +305,14 @@ static bool adopt_node(ir_node *node, void *context) {
     return true;
 }
 
-/* A second pass: adopt_node finds a field by its object's type in `from`. */
+/* Runs after adopt_node, which finds a field by its object's type in `from`. */
 static bool adopt_node_type(ir_node *node, void *context) {
     node->type = adopt_type(context, node->type);
     return true;
 }
 
 static void adopt_bodies(adoption *d) {
-    for (unsigned i = 0; i < d->bodies.count; i++) { /* grows */
+    for (unsigned i = 0; i < d->bodies.count; i++) { /* the list grows during the loop */
         ir_function *function = d->bodies.items[i];
         for (unsigned k = 0; k < function->parameter_count; k++)
             adopt_variable(d, function->parameters[k]);

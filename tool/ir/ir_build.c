@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Making nodes, finishing functions, substituting arguments for parameters. */
+/* Creates nodes, finishes functions, and substitutes arguments for parameters. */
 #include "ir/ir.h"
 
 #include <assert.h>
@@ -60,7 +60,7 @@ static bool is_scalar_or_array(const ir_type *type) {
     return ir_type_is_scalar(type) || type->kind == IR_ARRAY;
 }
 
-/* Does passing a value of type `from` to a parameter of type `to` preserve it? */
+/* Does passing a value of type `from` to a parameter of type `to` leave the value unchanged? */
 static bool passes_unchanged(const ir_type *from, const ir_type *to) {
     if (from == NULL || to == NULL || !is_scalar_or_array(from) || !ir_type_is_scalar(to))
         return true;
@@ -93,7 +93,7 @@ static ir_node *argument_for(const ir_node *node, const ir_function *function,
     return NULL;
 }
 
-/* (&x)->m is x.m */
+/* Rewrites (&x)->m as x.m. */
 static void look_through_address(ir_node *node) {
     ir_node *pointer = node->kind == IR_MEMBER ? node->children[0] : NULL;
     if (pointer == NULL || !(node->flags & IR_ARROW) || pointer->kind != IR_UNARY ||

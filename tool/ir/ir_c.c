@@ -3,7 +3,7 @@
 
 #include "ir/ir_words.h"
 
-/* Levels of C's grammar (C17 6.5), the weakest first. */
+/* Precedence levels of C's grammar (C17 6.5), from the weakest to the strongest. */
 typedef enum level {
     LEVEL_COMMA,
     LEVEL_ASSIGNMENT,
@@ -18,7 +18,7 @@ typedef enum level {
     LEVEL_SHIFT,
     LEVEL_SUM,
     LEVEL_PRODUCT,
-    LEVEL_UNARY, /* casts too */
+    LEVEL_UNARY, /* includes casts */
     LEVEL_POSTFIX,
     LEVEL_PRIMARY
 } level;
@@ -112,7 +112,8 @@ static bool print_between(c_printer *p, const ir_node *node, const char *op, lev
     return print(p, node->children[1], right);
 }
 
-/* Are the parentheses unnecessary, but compilers warn if they are missing (gcc's -Wparentheses)? */
+/* Would gcc warn (-Wparentheses) if the inner operand had no parentheses, although C does not need
+ * them? */
 static bool is_doubtful(level outer, level inner) {
     switch (outer) {
     case LEVEL_OR:
@@ -135,7 +136,8 @@ static level least_of_operand(level outer, const ir_node *operand, level by_gram
     return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
 }
 
-/* clang takes 2 ^ 5 for an intended power and warns (-Wxor-used-as-pow): (2) ^ 5 avoids that. */
+/* Would clang take the expression for an intended power, as in 2 ^ 5, and warn (-Wxor-used-as-pow)?
+ * Written as (2) ^ 5 it causes no warning. */
 static bool looks_like_power(const ir_node *node) {
     const ir_node *left = node->children[0];
     return node->op == IR_OP_BIT_XOR && left->kind == IR_NUMBER && left->text;
@@ -176,7 +178,8 @@ static bool print_conditional(c_printer *p, const ir_node *node) {
     return print(p, node->children[2], LEVEL_CONDITIONAL);
 }
 
-/* Would the operator and its operand lex as another one? -(-x) must not become --x. */
+/* Would the operator and the first character of its operand form another operator? -(-x) must not
+ * become --x. */
 static bool would_run_together(const char *op, const char *operand) {
     return (op[0] == '-' || op[0] == '+' || op[0] == '&') && operand[0] == op[0];
 }
@@ -210,7 +213,7 @@ static bool print_text(c_printer *p, const char *text) {
     return true;
 }
 
-/* "(type)", the type spelled. */
+/* Appends "(type)". */
 static bool print_type(c_printer *p, const ir_type *type) {
     if (type == NULL || type->spelling == NULL)
         return false;
@@ -221,7 +224,7 @@ static bool print_type(c_printer *p, const ir_type *type) {
     return true;
 }
 
-/* { values }, of a compound literal or of a declaration. */
+/* Appends the values in braces, of a compound literal or of a declaration's initialiser. */
 static bool print_braces(c_printer *p, const ir_node *node) {
     if (node->flags & IR_DESIGNATED)
         return false;
@@ -242,8 +245,8 @@ static bool is_anonymous_member(const ir_node *node) {
     return node->kind == IR_MEMBER && node->field->name[0] == 0;
 }
 
-/* Members of anonymous members are members of the enclosing record (C17 6.7.2.1 p13): the names of
- * the anonymous ones are left out. */
+/* Omits the names of anonymous members: their members count as members of the enclosing record (C17
+ * 6.7.2.1 p13). */
 static bool print_member(c_printer *p, const ir_node *node) {
     if (is_anonymous_member(node))
         return false;
@@ -267,7 +270,7 @@ static bool print_postfix(c_printer *p, const ir_node *node) {
     return true;
 }
 
-/* The node itself; its parts parenthesised where needed. */
+/* Prints the node without parentheses around it, and its children with those they need. */
 static bool print_bare(c_printer *p, const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:

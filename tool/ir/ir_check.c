@@ -8,8 +8,8 @@ typedef struct checker {
     const ir_unit *unit;
     const ir_function *function;
     unsigned next_id;
-    bool nests_ranges;   /* else a node may lie outside of its parent */
-    const char *problem; /* the first one */
+    bool nests_ranges;   /* whether each node must lie inside its parent's range */
+    const char *problem; /* the first problem found; NULL if none */
 } checker;
 
 static bool complain(checker *c, const ir_node *node, const char *what) {

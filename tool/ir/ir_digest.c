@@ -8,7 +8,7 @@
 typedef struct digester {
     uint64_t state;
     arena *scratch;
-    map *numbers; /* object or type seen -> its number, from 1 on */
+    map *numbers; /* object or type -> its number in order of first occurrence, from 1 */
     uintptr_t count;
     VECTOR(const ir_function *) pending;
 } digester;
@@ -31,7 +31,7 @@ static void add_text(digester *d, const char *text) {
         add_bytes(d, text, strlen(text));
 }
 
-/* Adds the number of an object or type; returns whether it occurs for the first time. */
+/* Hashes the number of an object or type. Returns whether it occurs for the first time. */
 static bool add_identity(digester *d, const void *thing) {
     void **number = map_at(d->numbers, &thing, sizeof thing);
     const bool is_new = *number == NULL;
@@ -109,8 +109,9 @@ static void add_field(digester *d, const ir_field *field) {
     add_number(d, field->offset);
 }
 
-/* A string may be the file's name as a command gives it, and an argument of a function that ends
- * the program may be a line number: both are irrelevant to the function. */
+/* Does not hash strings and the arguments of functions that end the program. A string may contain
+ * the file's name as a command gives it, and such an argument may be a line number. Both are
+ * irrelevant to the function. */
 static void add_node(digester *d, const ir_node *node) {
     add_number(d, node->kind);
     if (node->kind == IR_STRING)
@@ -158,7 +159,7 @@ uint64_t ir_digest(const ir_unit *unit, const ir_function *function) {
     add_dialect(&d, &unit->dialect);
     add_function(&d, function);
     add_definition(&d, function);
-    for (unsigned i = 0; i < d.pending.count; i++) /* grows */
+    for (unsigned i = 0; i < d.pending.count; i++) /* the list grows during the loop */
         add_definition(&d, d.pending.items[i]);
     arena_free(scratch);
     return d.state;

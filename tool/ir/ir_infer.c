@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Types of expressions from those of their parts, by the rules of C (C17 6.3.1, 6.5). The text form
- * leaves out a type that is inferred here, and states any other: a missing rule costs only space.
- */
+/* Infers the type of an expression from the types of its parts by C's rules (C17 6.3.1, 6.5). The
+ * text form omits a type that can be inferred here and states any other. A missing rule therefore
+ * only makes the text longer. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -34,8 +34,8 @@ static bool is_floating_literal(const char *text) {
     return strpbrk(text, is_hexadecimal(text) ? ".pP" : ".eE") != NULL;
 }
 
-/* Parses binary literals, 0b101 (GNU, C23), itself: strtoull may not know them. Sets *end to the
- * position after the digits. */
+/* Parses digits as strtoull does, but also binary literals such as 0b101 (GNU, C23), which strtoull
+ * may not know. Sets *end to the position after the digits. */
 static unsigned long long digits(const char *text, char **end) {
     if (text[0] == '0' && (text[1] == 'b' || text[1] == 'B'))
         return strtoull(text + 2, end, 2);
@@ -60,7 +60,7 @@ static const ir_type *scalar(arena *a, const char *word) {
     return type;
 }
 
-/* C17 6.4.4.1: the first type of the list in which the value fits. */
+/* The first type of C's list (C17 6.4.4.1) that can hold the value. */
 static const char *integer_literal_word(const char *text) {
     char *end;
     unsigned long long value = digits(text, &end);
@@ -103,7 +103,7 @@ static const ir_type *pointer_to(arena *a, const ir_type *target) {
     return type;
 }
 
-/* The value of an lvalue has no qualifiers (C17 6.3.2.1). */
+/* The type that the value of an lvalue of this type has: without qualifiers (C17 6.3.2.1). */
 static const ir_type *unqualified(arena *a, const ir_type *type) {
     if (!type->is_const && !type->is_volatile && !type->is_restrict && !type->is_atomic)
         return type;
@@ -128,8 +128,8 @@ static const ir_type *promoted(arena *a, const ir_type *type) {
     return unqualified(a, type);
 }
 
-/* The conversion rank, by kind and size. long long outranks a long of the same size: the text form
- * distinguishes them. */
+/* The conversion rank, from kind and size. long long outranks long even if their sizes are equal,
+ * because the text form distinguishes the two. */
 static int rank(const ir_type *type) {
     int base = type->kind == IR_COMPLEX ? 200 : type->kind == IR_FLOATING ? 100 : 0;
     int is_long_long = type->spelling != NULL && strstr(type->spelling, "long long") != NULL;
@@ -140,7 +140,8 @@ static bool is_arithmetic(const ir_type *type) {
     return ir_type_is_scalar(type) && type->kind != IR_POINTER;
 }
 
-/* The usual arithmetic conversions (C17 6.3.1.8). */
+/* The type that the usual arithmetic conversions give (C17 6.3.1.8); NULL if an operand is not
+ * arithmetic. */
 static const ir_type *usual(arena *a, const ir_type *left, const ir_type *right) {
     if (!is_arithmetic(left) || !is_arithmetic(right))
         return NULL;

@@ -5,17 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** A line directive `#line 12 "name"` or `# 12 "name" 1`. */
+/** The contents of a line directive: `#line 12 "name"` or `# 12 "name" 1`. */
 typedef struct line_directive {
     unsigned line;
-    const char *file; /* NULL: unchanged */
+    const char *file; /* NULL if the directive does not change it */
 } line_directive;
 
 static const char *skip_spaces(const char *text) {
     return text + strspn(text, " \t");
 }
 
-/** The string literal at `text`, escapes resolved; NULL if there is none. */
+/** The contents of the string literal at `text`, with escapes resolved; NULL if there is none. */
 static const char *file_of_literal(arena *a, const char *text) {
     if (*text != '"')
         return NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The text form's printer; tool/ir/text_form.md has the grammar. */
+/* Prints the text form of the IR; tool/ir/text_form.md has the grammar. */
 #include <ctype.h>
 #include <string.h>
 
@@ -7,8 +7,8 @@
 #include "ir/ir_text.h"
 #include "ir/ir_words.h"
 
-/* Deeper lines are indented to this depth, so that the size of the text is linear in the number of
- * nodes. */
+/* The deepest indentation. Without a limit, the text's size would be quadratic in the depth of
+ * nesting. */
 enum { DEEPEST_INDENTATION = 40 };
 
 static void print_line(const ir_printer *p, unsigned depth) {
@@ -17,7 +17,7 @@ static void print_line(const ir_printer *p, unsigned depth) {
         buffer_text(p->out, "  ");
 }
 
-/** " @begin-end", or nothing for the empty range. */
+/** Prints " @begin-end", or nothing for the empty range. */
 static void print_range(const ir_printer *p, ir_range range) {
     if (range.begin != range.end)
         buffer_format(p->out, " @%u-%u", range.begin, range.end);
@@ -27,7 +27,7 @@ static void print_quoted(const ir_printer *p, const char *text) {
     ir_print_quoted(p->out, text, strlen(text));
 }
 
-/* Is it one atom that cannot be mistaken for an attribute? */
+/* Is the text one atom that cannot be mistaken for an attribute? */
 static bool is_word(const char *text) {
     if (text[0] == 0 || (text[0] == '.' && !isdigit((unsigned char)text[1])))
         return false;
@@ -38,7 +38,7 @@ static bool is_word(const char *text) {
     return true;
 }
 
-/** Appends the text unquoted if it is one atom, else quoted. */
+/** Appends the text, in quotes unless it is one atom. */
 static void print_word(const ir_printer *p, const char *text) {
     if (is_word(text))
         buffer_text(p->out, text);
@@ -55,8 +55,8 @@ static const char *printable(const char *text) {
 static void print_declarator(const ir_printer *p, const ir_variable *v, ir_range range) {
     buffer_byte(p->out, ' ');
     ir_print_variable_key(p, v);
-    if (v->function == NULL) /* an extern declaration in a function: the list of the file's
-                                variables has the rest */
+    if (v->function == NULL) /* an extern declaration in a function: the unit's list of variables
+                              * has its other properties */
         return;
     buffer_byte(p->out, ' ');
     ir_print_type(p, v->type);
@@ -81,7 +81,7 @@ static void print_field(const ir_printer *p, const ir_node *node) {
         buffer_format(p->out, " #%u", (unsigned)(node->field - record->fields));
 }
 
-/* The operands after the first word: names, texts. */
+/* Prints what follows a node's first word: names and texts. */
 static void print_operands(const ir_printer *p, const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:
@@ -148,7 +148,8 @@ static void print_attributes(const ir_printer *p, const ir_node *node) {
     print_range(p, node->range);
 }
 
-/* Can a reader restore the expression statement from its expression? Then it is not printed. */
+/* Can a reader restore this IR_EXPRESSION node from the expression below it? If so, the node is not
+ * printed. */
 static bool is_implied_statement(const ir_node *node) {
     if (node->kind != IR_EXPRESSION)
         return false;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Keys of the text form: they distinguish variables with the same name, and records with the same
- * name. */
+/* Numbers the objects that have the same name, so that the text form can distinguish them. */
 #include <stdint.h>
 #include <string.h>
 
@@ -26,8 +25,8 @@ static bool mark_declared(ir_node *node, void *context) {
     return true;
 }
 
-/* For each function id, a NULL-terminated list of the locals that have no declarator in the body:
- * they are declared inside something opaque. */
+/* For each function id: a NULL-terminated list of the locals without a declarator in the body. They
+ * are declared inside an opaque node. */
 static ir_variable ***undeclared_locals(const ir_printer *p) {
     const ir_unit *unit = p->unit;
     bool *declared = ARENA_ARRAY(p->scratch, bool, unit->variable_count + 1u);
@@ -72,8 +71,8 @@ static void find_records(ir_printer *p, const ir_type *type) {
     }
 }
 
-/* A local is numbered after the file's variables of the same name: a function's `x` is the second
- * if the file has an `x`. */
+/* Assigns a number to a variable. A local comes after the file's variable of the same name: if the
+ * file has an `x`, a function's `x` has number 2. */
 static void meet_variable(ir_printer *p, const ir_variable *v) {
     if (p->variable_numbers[v->id] != 0)
         return;

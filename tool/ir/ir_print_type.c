@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Types for the text form's printer. */
+/* Prints types for the text form. */
 #include <string.h>
 
 #include "ir/ir_printer.h"

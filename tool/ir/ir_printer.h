@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Internals of the text form's printer: keys (which distinguish objects of one name), types. */
+/** Internals of the printer of the text form: types, and keys (a name and, if needed, a number that
+ *  distinguishes objects of the same name). */
 #ifndef IR_IR_PRINTER_H
 #define IR_IR_PRINTER_H
 
@@ -11,16 +12,21 @@
 typedef struct ir_printer {
     buffer *out;
     arena *scratch;
-    const ir_unit *unit;               /* NULL: a single node, with all names unchanged */
-    VECTOR(const ir_record *) records; /* all that are reachable, in order of first use */
-    map *record_numbers;               /* record -> 1 for the first of its name, 2 ... */
-    map *record_names;                 /* name -> number of records */
+    const ir_unit *unit;               /* NULL when a single node is printed; then names have no
+                                        * numbers */
+    VECTOR(const ir_record *) records; /* all records that are reachable, in order of first use */
+    map *record_numbers;               /* record -> its number among records of the same name,
+                                        * from 1 */
+    map *record_names;                 /* name -> number of records that have it */
     map *seen_types;
-    map *variable_names;        /* name, for locals "function's id, name" -> number of variables */
-    unsigned *variable_numbers; /* by id: as for records, in the variable's function */
-    unsigned *function_numbers; /* by id: overloaded ones (GNU) share a name */
-    ir_variable ***undeclared;  /* by function id: locals without a declarator in its body; each
-                                   list ends in NULL */
+    map *variable_names;        /* name (for locals: "id of the function, name") -> number of
+                                 * variables that have it */
+    unsigned *variable_numbers; /* by variable id: its number among variables of the same name in
+                                 * the file and its function */
+    unsigned *function_numbers; /* by function id: its number among functions of the same name
+                                 * (GNU C allows overloading) */
+    ir_variable ***undeclared;  /* by function id: a NULL-terminated list of the locals without a
+                                 * declarator in the function's body */
 } ir_printer;
 
 /** Finds and numbers all variables and records of the unit. */
@@ -30,7 +36,7 @@ void ir_print_function_key(const ir_printer *p, const ir_function *function);
 void ir_print_record_key(const ir_printer *p, const ir_record *record);
 void ir_print_type(const ir_printer *p, const ir_type *type);
 
-/** Appends the text in quotes, with \\ \" \n \r \t and \ooo. */
+/** Appends the text in quotes, with the escapes \\ \" \n \r \t and \ooo. */
 void ir_print_quoted(buffer *out, const char *text, size_t length);
 
 #endif

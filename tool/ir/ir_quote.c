@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Quoted texts of the text form. */
+/* Quotes texts for the text form. */
 #include "ir/ir_printer.h"
 
-/* The escape letter of the byte, or 0. */
+/* The letter that follows the backslash in the byte's escape; 0 if it has none. */
 static char escape_letter(char c) {
     switch (c) {
     case '\n':

@@ -10,7 +10,7 @@ static bool is_dereference(const ir_node *node) {
     return node && node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
 }
 
-/** The pointer of p->f and of (*p).f; NULL for o.f. */
+/** The pointer p of p->f or (*p).f; NULL for o.f. */
 static const ir_node *pointer_of_member(const ir_node *member) {
     const ir_node *object = ir_child(member, 0);
     if (member->flags & IR_ARROW)
@@ -31,7 +31,7 @@ static bool same_members(const ir_node *left, const ir_node *right) {
     return !left_pointer && !right_pointer && syntax_same(ir_child(left, 0), ir_child(right, 0));
 }
 
-/** The pointer of *p and of p[0]; NULL otherwise. */
+/** The pointer p of *p or p[0]; otherwise NULL. */
 static const ir_node *pointer_of_first(const ir_node *node) {
     if (is_dereference(node))
         return ir_child(node, 0);
@@ -64,7 +64,7 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
         if ((left->flags & IR_HAS_VALUE) && (right->flags & IR_HAS_VALUE))
             return left->value == right->value && ir_type_equal(left->type, right->type);
         return source_same_text(left->text, right->text);
-    case IR_SIZEOF: /* its text may denote another type elsewhere */
+    case IR_SIZEOF: /* elsewhere, the same text may denote another type */
         if (!(left->flags & IR_HAS_VALUE) || !(right->flags & IR_HAS_VALUE))
             return false;
         return left->value == right->value && ir_type_equal(left->type, right->type);
@@ -87,7 +87,8 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
 
 /* ---- ends ---------------------------------------------------------------------------------- */
 
-/** After the `;` that follows `at`, or `at` if none does (it is in a macro's body). */
+/** The offset after the `;` that follows `at`. If none follows (because it is in a macro's body),
+ *  returns `at`. */
 static uint32_t after_semicolon(const source *s, uint32_t at) {
     const uint32_t next = source_skip_blanks(s, at, (uint32_t)s->length);
     return next < s->length && s->text[next] == ';' ? next + 1 : at;
@@ -107,7 +108,7 @@ uint32_t syntax_statement_end(const source *text, const ir_node *statement) {
         const ir_node *last =
             statement->child_count > 0 ? statement->children[statement->child_count - 1] : NULL;
         if (!last || last->range.begin == last->range.end)
-            return after_semicolon(text, end); /* an empty statement of unknown offset */
+            return after_semicolon(text, end); /* an empty statement at an unknown offset */
         const uint32_t last_end = syntax_statement_end(text, last);
         return last_end > end ? last_end : end;
     }

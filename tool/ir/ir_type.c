@@ -26,7 +26,7 @@ bool ir_type_equal(const ir_type *a, const ir_type *b) {
         return a->count == b->count && ir_type_equal(a->target, b->target);
     case IR_RECORD:
         return a->record == b->record;
-    case IR_FUNCTION_TYPE: /* parameters are not stored, but their spelling is */
+    case IR_FUNCTION_TYPE: /* their spelling is compared, because parameters are not stored */
     case IR_OTHER_TYPE:
         return a->spelling != NULL && b->spelling != NULL && strcmp(a->spelling, b->spelling) == 0;
     }
@@ -74,7 +74,7 @@ const ir_type *ir_type_innermost(const ir_type *type) {
 
 /* ---- spelling ------------------------------------------------------------------------------ */
 
-/* The qualifiers, each followed by a blank. */
+/* The qualifiers as text, each followed by a blank. */
 static const char *qualifiers(arena *a, const ir_type *type) {
     return arena_format(a, "%s%s%s", type->is_const ? "const " : "",
                         type->is_volatile ? "volatile " : "", type->is_restrict ? "restrict " : "");
@@ -96,7 +96,7 @@ static const char *without_last_blank(arena *a, const char *text) {
 
 static const char *spell(arena *a, const ir_type *type, const char *declarator);
 
-/* As spell, for a pointee or element: the innermost type keeps the spelling it was given. */
+/* Same as spell, for a pointee or an element. The innermost type keeps its own spelling. */
 static const char *spell_target(arena *a, const ir_type *target, const char *declarator) {
     if (target->spelling == NULL)
         return NULL;
@@ -108,8 +108,8 @@ static const char *spell_target(arena *a, const ir_type *target, const char *dec
     return arena_format(a, "%s%s%s", target->spelling, blank, declarator);
 }
 
-/* `type` as the specifiers of a declaration and `declarator` inside the surrounding text: the
- * pointer to an array of three is "double (*)[3]". */
+/* Spells a declaration of `declarator` with this type. With `declarator` empty, the pointer to an
+ * array of three doubles is "double (*)[3]". */
 static const char *spell(arena *a, const ir_type *type, const char *declarator) {
     if (type->kind == IR_POINTER) {
         bool is_array = type->target->kind == IR_ARRAY;
@@ -131,13 +131,15 @@ const char *ir_type_default_spelling(arena *a, const ir_type *type) {
     return spell(a, type, "");
 }
 
-/* The parameters' types as a prototype spells them; false: one has no spelling. */
+/* Appends the parameters' types as a prototype spells them. Returns false if one of them cannot be
+ * spelled. */
 static bool spell_parameters(arena *a, buffer *out, const ir_function *function) {
     for (unsigned i = 0; i < function->parameter_count; i++) {
         const ir_type *type = function->parameters[i]->type;
         const char *spelling = type->spelling;
         if (spelling != NULL && (type->is_const || type->is_volatile || type->is_restrict)) {
-            ir_type bare = *type; /* a parameter's own qualifiers are not part of the type */
+            ir_type bare = *type; /* qualifiers of the parameter itself are not part of the
+                                   * function's type */
             bare.is_const = bare.is_volatile = bare.is_restrict = false;
             spelling = ir_type_default_spelling(a, &bare);
         }

@@ -42,7 +42,7 @@ static bool is_alike(const ir_scalar *scalar, const ir_type *type) {
            scalar->is_character == type->is_character;
 }
 
-/* The spelling without the qualifiers before it. */
+/* The spelling without leading qualifiers. */
 static const char *bare(const char *spelling) {
     static const char *const words[] = {"const ", "volatile ", "restrict "};
     for (unsigned i = 0; i < 3; i++)
@@ -145,7 +145,7 @@ const char *ir_operator_spelling(ir_operator op) {
     return operators[op];
 }
 
-/* "++_" and "_++": the place of the operand distinguishes pre from post. */
+/* As operators[], except that "++_" is the prefix and "_++" the postfix operator. */
 static const char *operator_word(ir_operator op) {
     switch (op) {
     case IR_OP_PRE_INCREMENT:

@@ -64,7 +64,8 @@ static bool is_comparison(ir_operator op) {
     return (op >= IR_OP_LESS && op <= IR_OP_GREATER_EQUAL) || op == IR_OP_NOT_EQUAL;
 }
 
-/* The counter, or counter + c in its own type, with a constant c >= 0. */
+/* Is it the counter, or counter + c in the counter's type with a constant c >= 0? Stores c, or 0,
+ * in *ahead. */
 static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t *ahead) {
     *ahead = 0;
     if (expression_is_variable(node, counter))
@@ -78,7 +79,8 @@ static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t
            *ahead <= INT16_MAX;
 }
 
-/* counter <comparison> bound, with the counter on either side. */
+/* Splits a condition that compares the counter, on either side, with a bound. False if it has
+ * another form, or if the bound mentions the counter. */
 static bool split_condition(const ir_node *condition, counted_loop *counted) {
     if (condition->kind != IR_BINARY || !is_comparison(condition->op))
         return false;
@@ -94,7 +96,7 @@ static bool split_condition(const ir_node *condition, counted_loop *counted) {
     return !expression_mentions(counted->bound, counted->counter);
 }
 
-/* ---- putting it together -------------------------------------------------------------------- */
+/* ---- the whole header ------------------------------------------------------------------------ */
 
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
     assert(name || why == REASON_TRIP_COUNT);
@@ -129,8 +131,8 @@ static bool is_address(const ir_node *node) {
     return node->type && (node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY);
 }
 
-/* Does the pointer step from object to object of known size? As a counter its values are addresses,
- * and its step is in bytes. */
+/* Does the pointer step over objects of known size? As a counter it has addresses as values, and
+ * its step is in bytes. */
 static bool is_plain_pointer(const ir_type *type) {
     const ir_type *object = type->kind == IR_POINTER ? type->target : NULL;
     return object && object->size > 0 && object->size <= INT16_MAX && object->kind != IR_VOID &&
@@ -143,7 +145,7 @@ static bool is_plain_end(const counted_loop *loop, const ir_node *node) {
                                                    : ir_type_is_plain_integer(node->type);
 }
 
-/* Does it contain no assignment, increment or opaque node? */
+/* Does the expression contain no assignment, increment or opaque node? Calls are permitted. */
 static bool is_plain_but_for_calls(const ir_node *node) {
     if (node->kind == IR_OPAQUE || expression_written(node))
         return false;
@@ -165,19 +167,21 @@ static bool may_count(const counted_loop *loop) {
 
 static bool wraps(const counted_loop *counted, const ir_node *loop) {
     const ir_type *counter = counted->counter->type;
-    if (counter->kind == IR_POINTER) /* a pointer that leaves its object is undefined in C */
+    if (counter->kind == IR_POINTER) /* the behaviour of a pointer that leaves its object is
+                                      * undefined in C */
         return false;
     if (compares_while_stepping(counted))
         return counted_stepping_wraps(counted);
-    /* If the first value lies beyond the bound, the computed trip count is not positive, and the
+    /* If the first value is beyond the bound, the computed trip count is not positive, and the
      * original loop runs. */
     if (loop->kind == IR_DO && counted->comparison == IR_OP_NOT_EQUAL && !counter->is_signed)
         return counter->size < 4 || counted->bound->type->size > counter->size;
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
-/* i + c < n behaves as i < n - c: at the end i + c is the bound, or one more (<=), as i would be in
- * i < n. With a longer step i + c might exceed the largest number of the type. */
+/* May the condition be `i + c < n` with `c > 0`? It then counts like `i < n - c`: when the loop
+ * ends, `i + c` equals the bound, or one more (<=), just as `i` does for `i < n`. Steps greater
+ * than 1 are excluded, because `i + c` might exceed the type's greatest value. */
 static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
     return loop->ahead == 0 ||
            (!loop->counter->type->wraps && loop->step == 1 && !loop->stride &&
@@ -185,7 +189,7 @@ static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
             (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL));
 }
 
-/* Checks counter, bound and lower, once they are found. */
+/* Checks the loop's counter, bound and first value, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
     const char *written = NULL;
@@ -199,7 +203,7 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_end(loop, loop->lower)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
     for (unsigned i = 0; !loop->steps_inside && (i < loop->body->child_count || i == 0); i++) {
-        /* excludes the increment at the end of a while or do loop's body */
+        /* skips the increment at the end of a while or do loop's body */
         const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
         if (!part || part == increment)
             continue;
@@ -219,13 +223,14 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     return (counted_result){.is_counted = true, .loop = *loop};
 }
 
-/* v++, v += c, v += e: fills in counter, step and stride. */
+/* Fills in counter, step and stride from an increment such as v++, v += c or v += e. */
 static bool split_step(const ir_node *loop, const ir_node *increment, counted_loop *counted) {
     return counted_step(increment, &counted->counter, &counted->step) ||
            counted_split_stride(loop, increment, counted);
 }
 
-/* i++, q += 3: the part that steps the variable that the condition compares. */
+/* The part of an increment such as `i++, q += 3` that steps the variable in the condition. NULL if
+ * there is none. */
 static const ir_node *own_increment(const ir_node *loop, const ir_node *increment,
                                     const ir_node *condition) {
     counted_loop counted = {0};
@@ -237,7 +242,7 @@ static const ir_node *own_increment(const ir_node *loop, const ir_node *incremen
     return left ? left : own_increment(loop, increment->children[1], condition);
 }
 
-/* i++, i++: is the counter written other than by its own step? */
+/* Does the increment, as in `i++, i++`, write the counter other than by the node `step`? */
 static bool is_written_elsewhere(const ir_node *node, const ir_variable *counter,
                                  const ir_node *step) {
     if (node == step)
@@ -258,8 +263,8 @@ static bool split_start(const ir_node *loop, counted_loop *counted) {
                                          : counted_split_initialisation(loop, start, counted);
 }
 
-/* The condition steps the counter: for (i = n; --i >= 0;), while (n--), do ... while (--n). The
- * rest of the header must not. */
+/* Recognises a loop whose condition steps the counter: for (i = n; --i >= 0;), while (n--), do ...
+ * while (--n). Nothing else in the header may step it. */
 static counted_result recognise_stepping(const ir_node *loop, counted_loop *counted) {
     const char *name = counted->counter->name;
     const char *written = NULL;
@@ -307,8 +312,8 @@ static counted_result recognise_for(const ir_node *loop) {
     return check(&counted, loop, NULL);
 }
 
-/* The body steps the counter: while (p < end) h[*p++]++. Each iteration must execute the step once,
- * and not use the counter afterwards. */
+/* Recognises a step inside the body, as in while (p < end) h[*p++]++. Each iteration must execute
+ * the step exactly once and not use the counter after it. */
 static bool split_inside(const ir_node *condition, counted_loop *counted) {
     for (unsigned side = 0; condition->kind == IR_BINARY && side < 2; side++) {
         const ir_node *compared = condition->children[side];
@@ -325,9 +330,9 @@ static bool split_inside(const ir_node *condition, counted_loop *counted) {
     return false;
 }
 
-/* A do loop is counted as the while loop with the same body and condition. If that has no
- * iteration, which its first value and the bound decide, generated code counts none, and the
- * original runs. */
+/* Recognises a while or do loop. A do loop is counted like the while loop with the same body and
+ * condition. If that while loop would have no iteration, the computed trip count is not positive
+ * and the original loop runs. */
 static counted_result recognise_while(const ir_node *loop) {
     const bool is_do = loop->kind == IR_DO;
     const ir_node *condition = loop->children[is_do ? 1 : 0];

@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * Before the loop is entered it is unknown whether an iteration writes memory that the bound reads:
- * in `do h[k[i]]++; while (++i < n / m[0]);` m[0] may be 0 until the first iteration writes it. So
- * the bound may be a value read from memory, but no address or divisor in its computation may
- * depend on one.
- */
+/* Before the loop begins it is unknown whether an iteration writes memory that the bound reads. In
+ * `do h[k[i]]++; while (++i < n / m[0]);`, m[0] may be 0 until the first iteration writes it. The
+ * bound may therefore be a value read from memory, but no address or divisor in it may depend on
+ * such a value. */
 #include "analysis/base/counted_bound.h"
 
 #include "analysis/base/expression.h"
 
-/* Does the value consist of numbers and of local variables that are changed only by name? Then
- * nothing that the first iteration stores to memory changes it. */
+/* Does the value consist of numbers and of local variables that change only by name? Then no store
+ * to memory in the first iteration changes it. */
 static bool is_steady(const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:
@@ -36,7 +34,8 @@ static bool is_steady(const ir_node *node) {
     }
 }
 
-/* Is the object's address steady? For n, p->n, s.n, *p, p[2]. */
+/* Is the address of the object (n, p->n, s.n, *p, p[2]) steady, so that no store to memory changes
+ * it? */
 static bool has_steady_address(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:

@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * The condition steps the counter, and compares it after the step (--i >= 0) or before (i-- > 0).
- * Either way the counter in the first iteration is the first value plus one step. For integers
- * `i-- > n` is true exactly if i >= n after the step. In a do loop this begins with the second
- * iteration; in the first the counter has the first value.
- */
+/* The condition compares the counter after the step (--i >= 0) or before it (i-- > 0). Either way,
+ * the counter in the first iteration is the first value plus one step. For integers, `i-- > n` is
+ * true exactly if i >= n after the step. In a do loop this holds from the second iteration on; in
+ * the first iteration the counter has the first value. */
 #include "analysis/base/counted_condition.h"
 
 #include <assert.h>
 
 #include "analysis/base/expression.h"
 
-/* The type of the number that a bare `n--` is compared with. */
+/* The implicit comparison of a bare `n--` with the int 0. */
 static const ir_type number_type = {
     .kind = IR_INTEGER, .is_signed = true, .size = 4, .spelling = "int"};
 static const ir_node zero = {
@@ -25,8 +23,8 @@ static bool is_before_test(const ir_node *step) {
     return step->op == IR_OP_PRE_INCREMENT || step->op == IR_OP_PRE_DECREMENT;
 }
 
-/* The comparison of the stepped counter that is equivalent to `comparison` before the step;
- * IR_OP_NONE: there is none, or it does not lead to the bound. */
+/* The comparison that, after the step, is equivalent to `comparison` before it. IR_OP_NONE if there
+ * is none, or if the step leads away from the bound. */
 static ir_operator after_step(ir_operator comparison, int64_t step) {
     if (comparison == IR_OP_NOT_EQUAL)
         return step < 0 ? IR_OP_GREATER_EQUAL : IR_OP_LESS_EQUAL;
@@ -65,7 +63,8 @@ bool counted_stepping_wraps(const counted_loop *counted) {
     int64_t constant;
     if (counter->size < 4 || counter->wraps)
         return true;
-    if (counter->is_signed) /* converted to an unsigned type, negative ones would be large */
+    if (counter->is_signed) /* converted to an unsigned type, negative values of the counter would
+                             * become large */
         return !bound->is_signed && bound->size >= 4;
     return counted->step > 0 || !counted->ends_below ||
            !expression_constant(counted->bound, &constant) || constant != 0;

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Loops whose condition also steps the counter: `while (n--)`, `for (i = n; --i >= 0;)`. Used only
- *  by counted.c. */
+/** Recognises conditions that also step the counter: `while (n--)`, `for (i = n; --i >= 0;)`. Only
+ *  counted.c uses this header. */
 #ifndef ANALYSIS_COUNTED_CONDITION_H
 #define ANALYSIS_COUNTED_CONDITION_H
 
 #include "analysis/base/facts.h"
 
-/** Fills in counter, step, increment, comparison and bound, in terms of the stepped counter, and
- *  sets steps_first and ends_below. False: the condition has another form. */
+/** Fills in counter, step, increment, comparison and bound, and sets steps_first and ends_below.
+ *  The comparison applies to the counter after the step. Returns false if the condition has another
+ *  form. */
 bool counted_split_stepping(const ir_node *condition, counted_loop *counted);
 
-/** May the counter leave its type, or does a conversion change it or the bound for the comparison?
- *  The step past 0 by which `i-- > 0` ends for an unsigned i does not count. */
+/** May the counter overflow, or may a conversion change it or the bound in the comparison? The step
+ *  below 0 with which `i-- > 0` ends for an unsigned i is not counted as overflow. */
 bool counted_stepping_wraps(const counted_loop *counted);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The initialisation in a for loop's header. */
+/* Analyses the initialisation in a for loop's header. */
 #include "analysis/base/counted_start.h"
 
 #include "analysis/base/counted.h"
@@ -22,8 +22,8 @@ static bool mentions_start(const ir_node *node, const counted_loop *counted) {
     return false;
 }
 
-/* Are the values independent of the variables that the initialisation sets, and is none set
- * twice? */
+/* Is no variable set twice, and is no value computed from a variable that the initialisation
+ * sets? */
 static bool starts_are_independent(const counted_loop *counted) {
     if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
         return false;
@@ -56,8 +56,8 @@ static bool mentions_declared(const ir_node *node, const ir_node *declaration) {
     return false;
 }
 
-/* for (int t = 0, last = n - 1; t <= last; t++): its value replaces `last`, which the loop must not
- * change. */
+/* Handles for (int t = 0, last = n - 1; t <= last; t++): the value of `last` becomes the bound.
+ * Returns false if the loop may change `last`. */
 static bool split_declared_bound(const ir_node *loop, const ir_node *declaration,
                                  counted_loop *counted) {
     const ir_node *bound = counted->bound->kind == IR_VARIABLE
@@ -75,7 +75,7 @@ static bool split_declared_bound(const ir_node *loop, const ir_node *declaration
     return true;
 }
 
-/* for (int t = 0, q = 5; t < n; t++, q += 3) */
+/* Handles another declared variable, such as q in for (int t = 0, q = 5; t < n; t++, q += 3). */
 static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
                                  counted_loop *counted) {
     ir_variable *variable = declarator->variable;
@@ -107,7 +107,7 @@ bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
 
 /* ---- assignments ----------------------------------------------------------------------------- */
 
-/* Does the constant keep its value when converted to the type? */
+/* Does the constant keep its value when it is converted to the type? */
 static bool keeps_constant(const ir_type *type, int64_t value) {
     if (!ir_type_is_plain_integer(type))
         return false;
@@ -124,7 +124,8 @@ static bool keeps_all(const ir_type *outer, const ir_type *inner) {
             outer->is_signed == inner->is_signed && outer->size >= inner->size);
 }
 
-/* The value of i in i = q = e: e, if q stores it unchanged. NULL: q may store another. */
+/* The value that i gets in i = q = e: it is e if storing e in q does not change it. NULL if it
+ * may. */
 static const ir_node *chained_value(const ir_node *value) {
     while (value && value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
            value->children[0]->kind == IR_VARIABLE) {
@@ -139,7 +140,7 @@ static const ir_node *chained_value(const ir_node *value) {
     return value;
 }
 
-/* The value that an assignment by = gives the variable; NULL: it is no such assignment. */
+/* The value that an assignment by = gives the variable; NULL if the node is no such assignment. */
 static const ir_node *assigned_value(const ir_node *node, const ir_variable *variable) {
     return node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
                    expression_is_variable(node->children[0], variable)
@@ -147,8 +148,8 @@ static const ir_node *assigned_value(const ir_node *node, const ir_variable *var
                : NULL;
 }
 
-/* for (v = base, end = g->n; v < end; v++): the value of `end` replaces it, if the loop only
- * compares with it. */
+/* Handles for (v = base, end = g->n; v < end; v++): the value of `end` becomes the bound, if the
+ * loop uses `end` only in its condition. */
 static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *counted) {
     const ir_variable *variable =
         counted->bound->kind == IR_VARIABLE ? counted->bound->variable : NULL;
@@ -167,8 +168,8 @@ static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *
     return true;
 }
 
-/* for (i = 0, q = 5; ...): sets another variable than the counter, to a value independent of the
- * others. */
+/* Handles for (i = 0, q = 5; ...): notes a variable other than the counter that is set to an
+ * independent value. */
 static bool split_start(const ir_node *node, counted_loop *counted) {
     const ir_node *target = node->kind == IR_ASSIGN ? node->children[0] : NULL;
     if (!target || target->kind != IR_VARIABLE || target->variable == counted->counter)
@@ -177,7 +178,7 @@ static bool split_start(const ir_node *node, counted_loop *counted) {
     return value && add_start(counted, (loop_start){target->variable, value, node, false});
 }
 
-/* The assignment of the counter, in a sequence or a chain of assignments. */
+/* The value that a sequence or chain of assignments gives the counter; NULL if there is none. */
 static const ir_node *start_of_counter(const ir_node *node, const ir_variable *counter) {
     const bool is_sequence = node->kind == IR_BINARY && node->op == IR_OP_COMMA;
     if (node->kind == IR_ASSIGN && expression_is_variable(node->children[0], counter))

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Steps that are known when the loop begins, but are not constant: `j += stride`. */
+/** Recognises steps that are known when the loop begins but are not constant: `j += stride`. */
 #ifndef ANALYSIS_COUNTED_STRIDE_H
 #define ANALYSIS_COUNTED_STRIDE_H
 
 #include "analysis/base/facts.h"
 
-/** Is it an integer expression of numbers and of local variables that are changed only by name, and
- *  not in `loop`? Its evaluation then has no effect, and the same value in all iterations. */
+/** Is it an integer expression of numbers and of local variables that change only by name, and not
+ *  in `loop`? Then its evaluation has no effect and gives the same value in all iterations. */
 bool stride_is_steady(const ir_node *loop, const ir_node *node);
 
-/** v += e, v -= e, v = v + e and the like: returns e if it is steady. *is_down: it is subtracted.
- * NULL: `write` has another form. */
+/** Is the write of the form v += e, v -= e, v = v + e or the like, with a steady e
+ *  (stride_is_steady)? Returns e, and sets *is_down if e is subtracted. Otherwise returns NULL. */
 const ir_node *stride_added(const ir_node *loop, const ir_node *write, const ir_variable *v,
                             bool *is_down);
 
 /** Fills in counter, step (1 or -1) and stride of `counted` from such an increment of an integer.
- *  Generated code checks that the stride is positive. */
+ *  Returns false if it has another form. Generated code checks that the stride is positive. */
 bool counted_split_stride(const ir_node *loop, const ir_node *increment, counted_loop *counted);
 
 #endif

@@ -38,13 +38,11 @@ static bool signed_wraps(const counted_loop *loop) {
     return loop->comparison != IR_OP_LESS && loop->comparison != IR_OP_GREATER;
 }
 
-/*
- * The generated code counts iterations in 64 bits with lower, bound and step as mathematical
- * numbers. That agrees with the loop if the comparison compares these numbers (no conversion
- * changes them) and the counter reaches the bound without leaving its type. A counter that would
- * leave a signed type of at least int's size is undefined behaviour, except under -fwrapv. If the
- * computed trip count is zero or less, the original loop runs.
- */
+/* The generated code counts iterations in 64 bits and treats lower, bound and step as mathematical
+ * numbers. That agrees with the loop if no conversion changes the numbers compared, and if the
+ * counter reaches the bound without overflow. Overflow of a signed type at least as wide as int is
+ * undefined behaviour, except under -fwrapv. If the computed trip count is zero or less, the
+ * original loop runs. */
 bool counted_wraps(const counted_loop *loop) {
     assert(loop->step != 0);
     const ir_type *counter = loop->counter->type;
@@ -66,8 +64,8 @@ bool counted_wraps(const counted_loop *loop) {
     if (counter->is_signed) {
         if (counter->size < 4)
             return true;
-        /* Compared with an unsigned bound, a signed counter is converted: negative ones are large.
-         */
+        /* Compared with an unsigned bound, a signed counter is converted, so that negative values
+         * become large. */
         return (counter->wraps && signed_wraps(loop)) ||
                ((bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&
                 (!is_up || !is_non_negative(loop->lower)));
@@ -80,7 +78,8 @@ bool counted_wraps(const counted_loop *loop) {
     if (is_up)
         return counter->size < 4 || magnitude != 1 || loop->stride || bound->size > counter->size ||
                (is_inclusive && counter->size < 8);
-    /* down: i > bound ends at bound >= 0 with step -1; i >= 0 never ends */
+    /* The counter decreases. The loop i > bound ends if bound >= 0 and the step is -1; i >= 0 never
+     * ends. */
     if (counter->size < 4 || magnitude != 1 || loop->stride)
         return true;
     if (is_inclusive)

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * A condition is constant if it consists of numbers, of calls of functions that return one
- * constant, and of local variables whose value is known. To find a variable's value, the search
- * goes back from the `if` through the blocks around it, up to the innermost loop or switch. The
- * first statement found that may change the variable must assign it, and no label may lie between.
- * Only values of a signed byte are followed: each signed type represents all of them, each unsigned
- * type those that are not negative.
- */
+/* A condition is constant if it consists of numbers, of calls of functions that return a single
+ * constant, and of local variables with a known value.
+ * To find a variable's value, the search goes backwards from the `if` through the enclosing blocks,
+ * up to the innermost loop or switch. The first statement found that may change the variable must
+ * assign it, and no label may be passed.
+ * Only values from -128 to 127 are considered: every signed type can represent them, and every
+ * unsigned type those that are not negative. */
 #include "analysis/base/dead_branches.h"
 
 #include "analysis/base/expression.h"
@@ -15,13 +14,14 @@
 typedef struct result_of {
     enum { UNSEEN, BEGUN, CONSTANT, VARIES } state;
     int64_t value;
-    bool is_external; /* another file defines it, or a function whose result it returns */
+    bool is_external; /* the result depends on a function that another file defines */
 } result_of;
 
 typedef struct search {
     ir_unit *unit;
-    result_of *results; /* by function id */
-    bool is_external;   /* the value being computed depends on such a function */
+    result_of *results; /* indexed by function id */
+    bool is_external;   /* the value being computed depends on a function that another file
+                         * defines */
 } search;
 
 static bool constant_of(search *s, const ir_node *node, int64_t *value);
@@ -36,8 +36,8 @@ static bool holds(const ir_type *type, int64_t value) {
 
 /* ---- results of functions -------------------------------------------------------------------- */
 
-/* Does every `return` below the node give the same value? Stores it in *found, or compares it with
- * the value that is already there. */
+/* Does every `return` below the node return the same value? Stores it in *found. If *found already
+ * has a value, compares with that. */
 static bool returns_one(search *s, const ir_node *node, const ir_type *type, result_of *found) {
     if (node->kind == IR_OPAQUE)
         return false;
@@ -86,7 +86,7 @@ static bool is_followed(const ir_variable *variable) {
            !variable->type->is_atomic;
 }
 
-/* May the text change the variable, or be entered other than at its beginning? */
+/* May the node change the variable, or may a jump enter it? */
 static bool may_interfere(const ir_node *node, const ir_variable *variable) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_LABEL || node->kind == IR_CASE || node->kind == IR_DEFAULT ||
@@ -99,7 +99,7 @@ static bool may_interfere(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/* v = e, (v = e) < 0, !(v = e): e; NULL: it is none of these. */
+/* The e of v = e, (v = e) < 0 or !(v = e); NULL if the node has none of these forms. */
 static const ir_node *assigned_in(const ir_node *node, const ir_variable *variable) {
     while (node->kind == IR_UNARY && node->op == IR_OP_NOT)
         node = node->children[0];
@@ -124,7 +124,8 @@ static const ir_node *declared_value(const ir_node *declaration, const ir_variab
     return value;
 }
 
-/* The value that the statement assigns to the variable in all cases; NULL: none, or not always. */
+/* The value that the statement always assigns to the variable; NULL if it assigns none, or not
+ * always. */
 static const ir_node *assigned_by(const ir_node *statement, const ir_variable *variable) {
     const ir_node *first = statement->child_count ? statement->children[0] : NULL;
     if (statement->kind == IR_EXPRESSION)
@@ -139,8 +140,9 @@ static const ir_node *assigned_by(const ir_node *statement, const ir_variable *v
     return assigned_in(first, variable);
 }
 
-/* The value that the block's statements before `child` give the variable. NULL: unknown, or
- * (*is_open) they do not change it. */
+/* The value that the block's statements before `child` give the variable. If NULL, *is_open says
+ * whether these statements leave the variable unchanged (true) or make its value unknown
+ * (false). */
 static const ir_node *value_before(const ir_node *block, const ir_node *child,
                                    const ir_variable *variable, bool *is_open) {
     unsigned at = 0;
@@ -155,8 +157,8 @@ static const ir_node *value_before(const ir_node *block, const ir_node *child,
     return NULL;
 }
 
-/* The variable's value where `use` is evaluated, in a condition of an `if` or in a `return`; NULL:
- * it may have several. */
+/* The value that the variable has where `use` is evaluated, in the condition of an `if` or in a
+ * `return`. NULL if it is unknown. */
 static const ir_node *reaching_value(const ir_node *use, const ir_variable *variable) {
     bool is_open = true;
     const ir_node *value = NULL, *inner = use;
@@ -259,10 +261,11 @@ static bool constant_of(search *s, const ir_node *node, int64_t *value) {
 
 /* ---- branches -------------------------------------------------------------------------------- */
 
-/* Does the branch change, or pass on, variables of the file? If a function of another file makes
- * the condition constant, only functions with translated loops, and the functions that these call,
- * check at run time that this definition is linked (imports.c). Any other function may execute the
- * branch after all, so the analysis must see its effects on these variables. */
+/* May the branch change file-scope variables, or pass on their addresses? If a function of another
+ * file makes the condition constant, this holds only while that definition is linked. Functions
+ * with translated loops, and the functions that these call, check this at run time (imports.c). Any
+ * other function may execute the branch after all, so the analysis must see its effects on these
+ * variables. */
 static bool concerns_others(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)

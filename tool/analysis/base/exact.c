@@ -6,8 +6,9 @@
 #include "analysis/base/expression.h"
 
 enum {
-    SMALLEST_SIZE = 4, /* a conversion to fewer bytes is meant to wrap around */
-    ADDRESS_SIZE = 8   /* arithmetic in this many bytes wraps around as addresses do */
+    SMALLEST_SIZE = 4, /* in bytes; a conversion to a smaller type is assumed to wrap around
+                        * intentionally */
+    ADDRESS_SIZE = 8   /* in bytes; arithmetic in this size wraps around as addresses do */
 };
 
 bool exact_is_operation(const ir_node *node) {
@@ -33,7 +34,7 @@ bool exact_needs_settled(const ir_node *node, const ir_node *operand) {
     return operand->type->size < node->type->size;
 }
 
-/* Does a conversion preserve every value of the operand's type (as a number, or as an address)? */
+/* Does the conversion preserve every value of the operand's type, as a number or as an address? */
 static bool keeps_value(const ir_type *from, const ir_type *to) {
     if (to->size >= ADDRESS_SIZE)
         return true;
@@ -49,7 +50,7 @@ bool exact_is_settled(const ir_node *node, const ir_variable *counter) {
         return false;
     if (node->kind != IR_CAST && !ir_type_never_wraps(node->type))
         return false;
-    /* in a type whose overflow is undefined, an operation that is executed does not overflow */
+    /* if overflow is undefined, an operation that is executed does not overflow */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!exact_needs_settled(node, node->children[i]) &&
             !exact_is_settled(node->children[i], counter))

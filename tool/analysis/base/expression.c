@@ -13,7 +13,7 @@ bool expression_constant(const ir_node *node, int64_t *value) {
     return true;
 }
 
-/* *p is p[0] */
+/* The pointer p of *p or p[0]; NULL for other expressions. */
 static const ir_node *first_element(const ir_node *node) {
     int64_t subscript;
     if (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE)
@@ -39,7 +39,8 @@ bool expression_same(const ir_node *a, const ir_node *b) {
         a->variable != b->variable || a->function != b->function || a->field != b->field ||
         ((a->flags ^ b->flags) & IR_ARROW) || a->kind == IR_OPAQUE)
         return false;
-    if (a->kind == IR_SIZEOF) /* without a value: its text may denote another type elsewhere */
+    if (a->kind == IR_SIZEOF) /* a sizeof without a value; elsewhere its text may denote another
+                               * type */
         return false;
     if ((a->kind == IR_NUMBER || a->kind == IR_STRING) && !source_same_text(a->text, b->text))
         return false;
@@ -135,7 +136,7 @@ ir_variable *expression_object(const ir_node *lvalue) {
     return lvalue->kind == IR_VARIABLE ? lvalue->variable : NULL;
 }
 
-/* A variable that the translator added is spelled as the pointer that it replaces. */
+/* The text of a variable that redcc added is the text of the pointer that it replaces. */
 static const char *original_spelling(const ir_node *node, void *memory) {
     return node->kind == IR_VARIABLE && node->variable->stands_for
                ? expression_text(memory, node->variable->stands_for)
@@ -219,8 +220,8 @@ static bool is_lvalue_or_number(const ir_node *node) {
     return expression_is_lvalue(node) || node->kind == IR_NUMBER;
 }
 
-/* Is a floating value computed, compared or converted here? It may be out of range or NaN, and
- * exceptions may trap. */
+/* Does the node compute, compare or convert a floating value? The value may be out of range or NaN,
+ * and exceptions may trap. */
 static bool has_floating_hazard(const ir_node *node) {
     if (ir_type_is_floating(node->type) && !is_lvalue_or_number(node))
         return true;
@@ -235,7 +236,8 @@ static bool has_floating_hazard(const ir_node *node) {
     return false;
 }
 
-/* A divisor other than 0 and -1, or a shift count within the type. */
+/* Is the right operand a constant for which the operation is defined: a divisor other than 0 and
+ * -1, or a shift count less than the type's width? */
 static bool is_harmless_operand(const ir_node *node, const ir_node *right) {
     int64_t constant;
     if (!expression_constant(right, &constant))
@@ -255,7 +257,7 @@ bool expression_is_hazard(const ir_node *node) {
     if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER || node->op == IR_OP_SHIFT_LEFT ||
         node->op == IR_OP_SHIFT_RIGHT)
         return !is_harmless_operand(node, node->children[1]);
-    /* a difference of pointers: they may point into different objects */
+    /* the two pointers may point into different objects */
     return node->op == IR_OP_SUBTRACT && node->children[1]->type &&
            node->children[1]->type->kind == IR_POINTER;
 }

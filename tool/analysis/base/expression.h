@@ -5,15 +5,15 @@
 
 #include "ir/ir.h"
 
-/** Equal trees: the same variables, fields, operators and constants in the same places; *p equals
- *  p[0]. The caller must know whether their values are equal. An opaque node, or a sizeof without a
- *  value, equals only itself. */
+/** Are the trees equal: the same variables, fields, operators and constants in the same places? *p
+ *  equals p[0]. Whether their values are equal, the caller must decide. An opaque node, or a sizeof
+ *  without a value, equals only itself. */
 bool expression_same(const ir_node *a, const ir_node *b);
 
-/** The number of occurrences of the tree `part` in `node`, including itself. */
+/** The number of occurrences of the tree `part` in `node`; 1 if they are equal. */
 unsigned expression_occurrences(const ir_node *node, const ir_node *part);
 
-/** Is it the integer constant *value? */
+/** Is it an integer constant? Stores its value in *value. */
 bool expression_constant(const ir_node *node, int64_t *value);
 
 /** Is it the variable itself? */
@@ -26,57 +26,59 @@ bool expression_mentions(const ir_node *node, const ir_variable *variable);
 /** Does it contain no assignment, increment, call or opaque node? */
 bool expression_is_plain(const ir_node *node);
 
-/** Does evaluating it as a value, or (as_address) as &expression, read memory through a pointer or
- *  a subscript, or call a function? Plain variables do not count. */
+/** Does its evaluation read memory through a pointer or a subscript, or call a function? Reading a
+ *  plain variable does not count. If as_address is set, the question is about evaluating
+ *  &expression. */
 bool expression_has_load(const ir_node *node, bool as_address);
 
-/** Is it an lvalue of memory (a[i], *p, s->x, s.x, v), casts not counted? */
+/** Is it an lvalue (a[i], *p, s->x, s.x, v)? False for a cast of one. */
 bool expression_is_lvalue(const ir_node *node);
 
-/** Is it an lvalue of memory and of scalar type, but no variable? */
+/** Is it a scalar lvalue other than a variable? */
 bool expression_is_scalar_access(const ir_node *node);
 
-/** The variable that contains the lvalue: of v, v.f, v[1].f, but not behind a pointer; or NULL. */
+/** The variable v of an lvalue v, v.f or v[1].f; NULL if the lvalue is reached through a
+ *  pointer. */
 ir_variable *expression_object(const ir_node *lvalue);
 
-/** Its text as C, for messages and names; "..." if it cannot be spelled. In the arena. */
+/** The expression's C text, for messages and names; "..." if C cannot express it. In the arena. */
 const char *expression_text(arena *a, const ir_node *node);
 
-/** The statement or declarator around an expression, before which a line of text can be
- *  inserted. */
+/** The statement or declarator around an expression. A line of text can be inserted before it. */
 const ir_node *expression_place(const ir_node *node);
 
-/** Is this node itself arithmetic on floating or complex values (excluding signs, comparisons,
- * casts and loads)? */
+/** Is the node itself arithmetic on floating or complex values? Signs, comparisons, casts and loads
+ *  do not count. */
 bool expression_is_floating_work(const ir_node *node);
 
-/** The target lvalue of an assignment, increment or decrement; NULL for declarators and nodes that
- *  write nothing. */
+/** The lvalue that an assignment, increment or decrement writes; NULL for other nodes, including
+ *  declarators. */
 const ir_node *expression_written(const ir_node *node);
 
-/** May evaluating this node itself trap or be undefined for some operands: calls, divisions and
- *  shifts, floating operations and conversions, compound assignments, differences of pointers?
- *  Signed sums and products may overflow, too, but except in assignments they are generated in
- *  wrapping form (emit/base/wrapping.c). */
+/** May evaluating this node itself trap or be undefined for some operands? True for calls,
+ *  divisions and shifts, floating operations and conversions, compound assignments, and differences
+ *  of pointers. Signed sums and products may overflow too, but outside of assignments they are
+ *  generated in wrapping form (emit/base/wrapping.c). */
 bool expression_is_hazard(const ir_node *node);
-/** The same for the node and everything below it. Loads do not count. */
+/** Is the node, or any node below it, a hazard (expression_is_hazard)? Loads do not count. */
 bool expression_has_hazard(const ir_node *node);
 
-/** The operator of `b op a` that is equivalent to `a op b`; differs only for orderings. */
+/** The operator op' with `b op' a` equivalent to `a op b`. It differs from op only for <, <=, > and
+ *  >=. */
 ir_operator expression_mirrored(ir_operator op);
 
-/** The comparison of integers that holds if and only if this one does not; IR_OP_NONE: `op` is no
+/** The comparison that, for integers, holds if and only if `op` does not. IR_OP_NONE if `op` is no
  *  comparison. */
 ir_operator expression_negated(ir_operator op);
 
-/** Is it a local or parameter with automatic storage? */
+/** Is it a local variable or a parameter, with automatic storage? */
 bool variable_is_automatic(const ir_variable *variable);
 
-/** Does evaluating the node evaluate each of its parts once? False for &&, || and &, for calls and
- *  control statements. */
+/** Does evaluating the node evaluate each of its children exactly once? False for &&, ||, &, calls
+ *  and control statements. */
 bool expression_evaluates_parts(const ir_node *node);
 
-/** Is the node the target of a plain `=`? Then its value is not read there. */
+/** Is the node the target of a plain `=`? Then its old value is not read. */
 bool expression_is_assigned(const ir_node *node);
 
 #endif

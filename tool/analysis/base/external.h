@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions of other files, as given by the options. */
+/** Known properties of functions that other files define, as given by the analysis options. */
 #ifndef ANALYSIS_EXTERNAL_H
 #define ANALYSIS_EXTERNAL_H
 
 #include "analysis/base/facts.h"
 
-/** Known properties of the function called by this declaration. EXPORTED_NOTHING for functions with
- *  a body here, and for those that attributes or an asm label may rename. */
+/** Known properties of the function that this declaration refers to. EXPORTED_NOTHING if it has a
+ *  body here, or if attributes or an asm label may rename it. */
 exported_kind external_kind(const analysis_options *options, const ir_function *function);
 
 #endif

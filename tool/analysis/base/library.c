@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* C17 7.3, 7.12, 7.22.6 and gcc's and clang's versions of them; sorted by name (a test checks).
- * Functions that write through a pointer (frexp, modf, remquo, sincos) or a global (lgamma) are
- * excluded. isnan and the like are macros of <math.h> for builtins: only the names of macros are
- * reserved. */
+/* Functions of C17 7.3, 7.12 and 7.22.6, and gcc's and clang's versions of them, sorted by name (a
+ * test checks this). Functions that write through a pointer (frexp, modf, remquo, sincos) or to a
+ * global (lgamma) are left out. isnan and the like are macros of <math.h> that expand to builtins,
+ * so only the builtins' names are in the table. */
 static const library_function functions[] = {
     {"abs", false, true, LIBRARY_C89, false},
     {"acos", true, false, LIBRARY_C89, true},
@@ -171,9 +171,10 @@ bool library_is_locale_table(const ir_node *call) {
     return false;
 }
 
-/* A function declared const depends only on its arguments. Without any, its result may be specific
- * to a thread (pthread_self, __errno_location), and an address may be that of thread-local data. (A
- * function declared pure may read all memory, including the arrays, and is refused for that.) */
+/* A function declared const depends only on its arguments. If it has none, its result may be
+ * specific to a thread (pthread_self, __errno_location); and a pointer result may be the address of
+ * thread-local data. Functions declared pure need no check here: they may read all memory,
+ * including the arrays, and are refused for that. */
 bool library_depends_on_thread(const ir_function *function) {
     const ir_type *result = function->type ? function->type->target : NULL;
     return function->is_attribute_const &&
@@ -181,8 +182,8 @@ bool library_depends_on_thread(const ir_function *function) {
 }
 
 /* Functions that the C library's headers declare pure or const and that read no thread-local data
- * except the locale, which the loop's threads share. Without a leading __ and without the suffix of
- * a type; sorted. */
+ * except the locale, which the loop's threads share. The names have no leading __ and no suffix for
+ * a type. Sorted. */
 static const char *const same_in_threads[] = {"a64l",
                                               "abs",
                                               "argz_count",

@@ -25,8 +25,8 @@ static const ir_node *only_statement(const ir_node *block) {
     return block;
 }
 
-/* The condition of c ? (void)0 : fail(), of ({ if (c) ; else fail(); }), or of one of these after
- * sizeof(...) and a comma. */
+/* The condition c if the node is c ? (void)0 : fail() or ({ if (c) ; else fail(); }), or one of
+ * these after sizeof(...) and a comma. NULL if it has another form. */
 const ir_node *assertion_condition(const ir_node *node) {
     while (node &&
            (node->kind == IR_CAST || (node->kind == IR_BINARY && node->op == IR_OP_COMMA &&
@@ -72,7 +72,8 @@ static bool always_leaves(const ir_node *node, bool break_leaves) {
     }
 }
 
-/* May the loop continue after a branch that contains this node, or may other text jump to it? */
+/* May the loop continue after a branch that contains this node, or may a jump from outside enter
+ * the branch? */
 static bool may_continue(const ir_node *node) {
     return node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
            node->kind == IR_DEFAULT || node->kind == IR_BREAK;
@@ -91,17 +92,18 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 
 /* ---- branches with messages ------------------------------------------------------------------ */
 
-enum { DEEPEST_MESSAGE = 4 }; /* nested calls */
+enum { DEEPEST_MESSAGE = 4 }; /* of nested calls */
 
-/* Does it print, allocate or keep state? */
+/* Does a library function of this name print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {
     char name[LIBRARY_NAME_SIZE];
     const char *effect = library_plain_name(function->name, name) ? stateful_effect(name) : NULL;
     return effect && strncmp(effect, "writes memory", 13) != 0;
 }
 
-/* Does the statement print or keep state? In the loop's own text, ignores the branches of inner
- * `if` statements, which are checked separately. */
+/* Does the statement print or keep state, itself or in functions that it calls? The branches of
+ * inner `if` statements in the loop's own text are not searched here; find_exits examines them
+ * separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;
@@ -127,7 +129,7 @@ static bool is_with_message(const ir_node *statement) {
 typedef struct search {
     arena *memory;
     loop_exits *found;
-    bool is_over; /* there are too many, or one cannot be removed */
+    bool is_over; /* set if there are too many exits, or if one cannot be removed */
 } search;
 
 static unsigned last_id(const ir_node *node) {
@@ -136,7 +138,8 @@ static unsigned last_id(const ir_node *node) {
     return node->id;
 }
 
-/* Can its bytes be replaced? Other statements from the same macro call have the same range. */
+/* Can the statement's bytes be replaced? Not if other statements, from the same macro call, share
+ * its range. */
 static bool has_own_bytes(const ir_node *statement) {
     const ir_node *block = statement->parent;
     if (statement->range.begin >= statement->range.end || block->kind != IR_BLOCK ||
@@ -175,8 +178,8 @@ static void add(search *s, ir_node *statement, const ir_node *condition, bool is
                                                .is_negated = is_negated};
 }
 
-/* The condition that the statement asserts: as an expression, or as the last part of a sequence
- * whose other parts have no effect. NULL: it is no assertion. */
+/* The condition that the statement asserts, as an expression or as the last part of a sequence
+ * whose other parts have no effect. NULL if the statement is no assertion. */
 static const ir_node *asserted_by(const ir_node *statement) {
     if (statement->kind == IR_EXPRESSION)
         return assertion_condition(statement->children[0]);

@@ -1,36 +1,35 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Statements by which an iteration leaves the loop: an assertion, or an `if` whose branch ends in
- * exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or changes other
- * state, is treated likewise although the loop continues, because its output must come in the
- * loop's order.
+/** Removes the statements by which an iteration leaves the loop: an assertion, or an `if` whose
+ *  branch ends in exit, abort, return, goto, or a break of the loop. An `if` whose branch prints or
+ *  changes other state is treated likewise, although the loop continues after it, because its
+ *  output must appear in the loop's order.
  *
- * The loop is analysed as if none left it. Before iterations run in parallel, one thread evaluates
- * their conditions in order, up to the first that holds (REDCC_DRY_RUN). If one holds, nothing has
- * been executed, and the original loop runs. So the branches never run in parallel, and are not
- * analysed.
- */
+ *  The loop is analysed as if it had no exits. Before iterations run in parallel, one thread
+ *  evaluates the exits' conditions in order until one holds (REDCC_DRY_RUN). If one does, nothing
+ *  has been executed yet, and the original loop runs. The branches themselves never run in
+ *  parallel, and are not analysed. */
 #ifndef ANALYSIS_LOOP_EXITS_H
 #define ANALYSIS_LOOP_EXITS_H
 
 #include "analysis/base/facts.h"
 
-/** The condition of an assertion, in the form of a C library's `assert`; NULL: it is none. */
+/** The condition of an assertion in the form that a C library's `assert` expands to; NULL if the
+ *  expression is none. */
 const ir_node *assertion_condition(const ir_node *expression);
 
-/** Finds all exits of a loop whose iterations execute `body`. NULL: one of them cannot be
- * removed (its condition has effects, or it is not in a block), or there are too many. */
+/** Finds all exits of a loop with this body. NULL if an exit cannot be removed (its condition has
+ *  effects, or it is not in a block), or if there are too many. */
 loop_exits *loop_exits_find(arena *a, const ir_node *body);
 
-/** Replaces each statement by `if (condition) continue;`. The statements have no parents then.
- * NULL: nothing to do, here and below. */
+/** Replaces each exit by `if (condition) continue;`. The exits have no parents while they are
+ *  removed. This function and loop_exits_put_back do nothing if `exits` is NULL. */
 void loop_exits_take_out(const loop_exits *exits);
 void loop_exits_put_back(const loop_exits *exits);
 
-/** While they are removed: hides the conditions as well, or restores them. */
+/** Hides the exits' conditions too, or restores them, while the exits are removed. */
 void loop_exits_hide(const loop_exits *exits, bool are_hidden);
 
-/** The exit that this `if` replaces; NULL: none. */
+/** The exit that this `if` replaces; NULL if there is none. */
 const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement);
 
 #endif

@@ -9,8 +9,8 @@ enum { MOST_NAMED = 32 }; /* in one function */
 
 /* ---- loads that qualify ---------------------------------------------------------------------- */
 
-/* The length of the type's spelling without a last `const`, which is the pointer's own: a member of
- * a const record has one. */
+/* The length of the type's spelling without a final `const`, which qualifies the pointer itself.
+ * Members of a const record have it. */
 static size_t length_of_spelling(const ir_type *type) {
     static const char word[] = "*const";
     const size_t length = strlen(type->spelling), last = sizeof word - 1;
@@ -27,8 +27,8 @@ static bool is_plain_pointer(const ir_type *type) {
            !type->target->has_address_space;
 }
 
-/* p->a.b.c, with the pointer type of c: returns p, and the offset of c from it. NULL: another
- * form. */
+/* The p of p->a.b.c with a plain pointer c; stores the offset of c from p in *offset. NULL if the
+ * expression has another form. */
 static const ir_node *pointer_under(const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (!is_plain_pointer(node->type))
@@ -71,7 +71,7 @@ static ir_variable *named(unsigned count, ir_variable *const *variables,
 typedef struct naming {
     ir_unit *unit;
     const ir_function *function;
-    unsigned count; /* in the function */
+    unsigned count; /* number of variables added to the function */
     VECTOR(ir_variable *) variables;
 } naming;
 

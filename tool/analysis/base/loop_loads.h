@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Loop-invariant pointers that a loop loads through other pointers, `s->atoms->U`.
+/** Replaces loop-invariant pointers that a loop loads through other pointers, as in `s->atoms->U`.
  *
- * While such a loop is analysed and written, an added variable replaces each pointer. Generated
- * code loads it before the loop, though the program might not. REDCC_LOAD therefore reads without a
- * fault; if the memory is unreadable, the original loop runs.
- */
+ *  While such a loop is analysed and its code is generated, an added variable replaces each of
+ *  these pointers. Generated code loads the pointer before the loop, although the program might
+ *  never load it. It therefore uses REDCC_LOAD, which detects unreadable memory instead of
+ *  faulting; in that case the original loop runs. */
 #ifndef ANALYSIS_LOOP_LOADS_H
 #define ANALYSIS_LOOP_LOADS_H
 
 #include "analysis/base/facts.h"
 
-/** Adds a variable to the unit for each such pointer that a function loads in its loops. Called
- *  once, before variables are analysed. */
+/** Adds a variable to the unit for each such pointer that a function loads in a loop. Call it once,
+ *  before variables are analysed. */
 void loop_loads_name(ir_unit *unit);
 
 /** The loads of such pointers in the loop's body, and the loads through which they are reached.
- *  NULL: there are none, or too many. */
+ *  NULL if there are none or too many. */
 loop_loads *loop_loads_find(arena *a, const ir_unit *unit, const ir_function *function,
                             const ir_node *body);
 
-/** Replaces them by the variables; NULL: nothing to do, here and below. */
+/** Replaces the loads by the variables. This function and loop_loads_put_back do nothing if `loads`
+ *  is NULL. */
 void loop_loads_take_out(const loop_loads *loads);
 void loop_loads_put_back(const loop_loads *loads);
 

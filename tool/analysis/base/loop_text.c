@@ -46,7 +46,7 @@ static bool is_blank(const ir_unit *unit, uint32_t begin, uint32_t end) {
     return source_skip_blanks(unit->source, begin, end) >= end;
 }
 
-/* The #if of the group that this #endif ends; `last` if it has none. */
+/* Index of the #if to which the #endif with index `last` belongs; `last` if it has none. */
 static unsigned first_of_group(const ir_unit *unit, unsigned last) {
     unsigned depth = 0;
     for (unsigned i = last;; i--) {
@@ -69,8 +69,7 @@ static bool compiles_only_pragmas(const ir_unit *unit, unsigned first, unsigned 
     return first < last;
 }
 
-/* The text after this word of the pragma and the blanks that follow it; NULL: it begins with
- * another word. */
+/* If `text` begins with the word, the text after it and the blanks that follow; otherwise NULL. */
 static const char *after_word(const char *text, const char *word) {
     const size_t length = strlen(word);
     if (strncmp(text, word, length) != 0 || source_is_name_byte(text[length]))
@@ -130,7 +129,7 @@ static bool is_about_speed(const char *pragma) {
     return false;
 }
 
-/* May it change the meaning of macros? */
+/* May the directive change the meaning of macros? */
 static bool is_about_macros(const ir_directive *d) {
     return d->text && (strstr(d->text, "push_macro") || strstr(d->text, "pop_macro"));
 }
@@ -147,8 +146,8 @@ bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d) {
 }
 
 /* Does the directive test _OPENMP? The output is compiled with OpenMP even if this compilation is
- * not. A program's macro that depends on it, such as HAVE_OPENMP, is treated like any other macro:
- * if its value differs, the original loop is used. */
+ * not. A macro of the program that depends on _OPENMP, such as HAVE_OPENMP, is treated like any
+ * other: if its value differs, the original loop is used. */
 static bool tests_openmp(const ir_directive *d) {
     static const char name[] = "_OPENMP";
     for (const char *at = d->text; at && (at = strstr(at, name)); at += sizeof name - 1)
@@ -158,7 +157,7 @@ static bool tests_openmp(const ir_directive *d) {
     return false;
 }
 
-/* A directive between the loop's last expression and its semicolon; NULL: none. */
+/* A directive between the loop's last expression and the semicolon; NULL if there is none. */
 static const ir_directive *directive_before_semicolon(const ir_unit *unit, const ir_node *loop) {
     const ir_node *last = loop;
     while (last->child_count > 0 && last->kind != IR_DO &&
@@ -202,9 +201,9 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
     return false;
 }
 
-/* ---- pragmas made by macros, and those in functions ------------------------------------------ */
+/* ---- pragmas from macros, and those in functions --------------------------------------------- */
 
-/* Is a name split over two lines here? A search for it would miss it. */
+/* Is a name split over two lines at this byte? A search for the name would miss it. */
 static bool splits_a_name(const char *text, uint32_t at) {
     return text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r') &&
            source_is_name_byte(text[at - 1]);
@@ -247,7 +246,7 @@ bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *functio
     if (unit->dialect.has_openmp || !function->is_in_main_file)
         return false;
     if (file_names(unit, "threadprivate"))
-        return true; /* with OpenMP, variables of the file would be the threads' own */
+        return true; /* with OpenMP, each thread would have its own copy of these variables */
     for (unsigned i = loop_text_first_directive(unit, function->range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < function->range.end; i++)
         if (directive_is_openmp(&unit->directives[i]))
@@ -266,7 +265,8 @@ bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *functio
     return loop_text_openmp_above(unit, loop) != NULL;
 }
 
-/* The text of a header's function is unknown: any directive may be in it. */
+/* An OpenMP pragma in the program's headers, or "_Pragma" if a macro may expand to one; NULL if
+ * there is neither. Used for functions of headers, whose text is not available. */
 static const char *openmp_of_headers(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
         if (strstr(unit->text.header_pragmas[i], "omp"))

@@ -30,14 +30,14 @@ static bool is_word(const char *at, size_t length, const char *word) {
     return strlen(word) == length && memcmp(at, word, length) == 0;
 }
 
-/* The text after this word; NULL if it begins with another one. */
+/* The text after the word, if it is the first token of `text`; otherwise NULL. */
 static const char *after(const char *text, const char *word) {
     size_t length;
     const char *at = openmp_token(text, &length);
     return is_word(at, length, word) ? at + length : NULL;
 }
 
-/* The text after `omp` in `#pragma omp ...` or `_Pragma("omp ...")`; NULL: it is neither. */
+/* The text after `omp` in `#pragma omp ...` or `_Pragma("omp ...")`; NULL if it is neither. */
 static const char *after_omp(const char *text) {
     const char *at = *text == '#' ? after(text + 1, "pragma") : NULL;
     if (*text == '_' && (at = after(text, "_Pragma")) && (at = after(at, "(")))
@@ -70,7 +70,7 @@ const char *openmp_plain_text(arena *a, const char *text) {
     return plain;
 }
 
-/* The text after the bracket that closes the one at `text`; NULL: none does. */
+/* The text after the bracket that closes the bracket at `text`; NULL if none does. */
 static const char *after_brackets(const char *text) {
     unsigned depth = 0;
     for (; *text; text++) {
@@ -93,7 +93,7 @@ static void add(reader *r, openmp_item item) {
     VECTOR_PUSH(r->memory, &r->items, item);
 }
 
-/* a, b[:n], c[0:n][:3] */
+/* Reads a list such as a, b[:n], c[0:n][:3]. */
 static void read_list(reader *r, openmp_item item, const char *at) {
     for (;;) {
         size_t length;
@@ -125,7 +125,7 @@ static void read_list(reader *r, openmp_item item, const char *at) {
     }
 }
 
-/* reduction(op: list) */
+/* Reads the inside of reduction(op: list). */
 static void read_reduction(reader *r, const char *inside) {
     static const struct {
         const char *text;
@@ -158,7 +158,7 @@ static bool assigns(const char *text) {
     return strstr(text, "++") || strstr(text, "--");
 }
 
-/* A clause whose argument is an expression of names, numbers and operators. */
+/* Reads a clause whose argument is an expression of names, numbers and operators. */
 static void read_expression(reader *r, openmp_clause_kind kind, const char *word,
                             const char *inside) {
     const char *rest = kind == OPENMP_IF ? after(inside, "parallel") : NULL;
@@ -170,7 +170,7 @@ static void read_expression(reader *r, openmp_clause_kind kind, const char *word
     add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL, word});
 }
 
-/* Clauses of `parallel`, `for`, and `parallel for`. */
+/* The clauses of `parallel`, `for` and `parallel for`. */
 static const struct {
     const char *word;
     openmp_clause_kind kind;
@@ -187,7 +187,7 @@ static const struct {
                     {"copyin", OPENMP_OF_REGION},
                     {"allocate", OPENMP_OF_REGION}};
 
-/* One digit other than 0? */
+/* Is the text a single digit other than 0? */
 static bool is_small_number(const char *text) {
     size_t length, rest;
     const char *number = openmp_token(text, &length);
@@ -206,7 +206,8 @@ static openmp_clause_kind kind_of_loop_clause(openmp_construct construct, const 
                                                                               : OPENMP_OTHER_CLAUSE;
 }
 
-/* Permitted for atomic and critical: hints, and words for the default. */
+/* The kind of a clause of `atomic` or `critical`. Hints, and words that state the default, have no
+ * effect and are permitted. */
 static openmp_clause_kind kind_of_lock_clause(const char *word, const char *inside) {
     (void)inside;
     return strcmp(word, "update") == 0 || strcmp(word, "relaxed") == 0 || strcmp(word, "hint") == 0
@@ -269,14 +270,15 @@ static void read_clauses(reader *r, openmp_construct construct, const char *at) 
 
 /* ---- macros ---------------------------------------------------------------------------------- */
 
-/* The text after `define NAME` or `undef NAME`; NULL: the directive is another one. */
+/* The text after `#define NAME` or `#undef NAME`, according to `word`; NULL if it is another
+ * directive. */
 static const char *after_definition(const char *text, const char *word, const char *name) {
     const char *at = *text == '#' ? after(text + 1, word) : NULL;
     return at ? after(at, name) : NULL;
 }
 
-/* The number to which the macro expands at `place`, if its last definition in the file is a number
- * and nothing has been included since. NULL: unknown. */
+/* The number to which the macro expands at `place`. NULL if it is unknown: the macro's last
+ * definition in the file must be a number, and no file may have been included since. */
 static const char *number_of_macro(arena *a, const ir_unit *unit, const char *name,
                                    uint32_t place) {
     const char *value = NULL;
@@ -307,7 +309,8 @@ static const char *number_of_macro(arena *a, const ir_unit *unit, const char *na
     return rest == 0 ? arena_copy(a, number, length) : NULL;
 }
 
-/* The text with macros replaced by their numbers. *macro: a macro that is not a number, or NULL. */
+/* The text with macros replaced by their numbers. Stores in *macro the first macro that is no
+ * number; NULL if there is none. */
 static const char *with_numbers(arena *a, const ir_unit *unit, const char *text, uint32_t place,
                                 const char **macro) {
     *macro = NULL;
@@ -330,7 +333,7 @@ static const char *with_numbers(arena *a, const ir_unit *unit, const char *text,
 
 /* ---- the directive ------------------------------------------------------------------------- */
 
-/* The construct; *rest: its clauses. */
+/* The construct that the text names. Stores the text of its clauses in *rest. */
 static openmp_construct construct_of(const char *text, const char **rest) {
     const char *at = after(text, "parallel");
     if (at && (*rest = after(at, "for")))
@@ -358,7 +361,7 @@ openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *
     reader r = {.memory = a};
     openmp_directive result = {.construct = OPENMP_OTHER};
     const char *text = openmp_plain_text(a, d->text);
-    if (strstr(text, "?\?/")) /* a trigraph that may join lines */
+    if (strstr(text, "?\?/")) /* the trigraph for a backslash, which may join lines */
         return (openmp_directive){OPENMP_OTHER, 0, NULL, "a trigraph"};
     const char *macro, *rest = with_numbers(a, unit, after_omp(text), d->range.begin, &macro);
     if (*text == '_')

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reads the directives. reduction/protection.c compares them with the loop, once it is analysed. */
+/* Reads the directives. Once the loop is analysed, reduction/protection.c compares them with it. */
 #include "analysis/base/openmp_loop.h"
 
 #include <string.h>
@@ -27,7 +27,7 @@ static const char *with_text(arena *a, const char *what, const ir_directive *d) 
     return arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text));
 }
 
-/* A clause whose effect the loop has only with its directive; NULL: none. */
+/* A clause whose effect exists only with its directive, as text; NULL if there is none. */
 static const char *only_by_directive(arena *a, const openmp_directive *read) {
     for (unsigned i = 0; i < read->item_count; i++) {
         const openmp_item *item = &read->items[i];
@@ -50,7 +50,7 @@ static void note_above(arena *a, openmp_loop *result, const openmp_directive *re
     result->item_count = read->item_count;
 }
 
-/* A function of OpenMP's that the loop calls. */
+/* The name of a function of OpenMP's library that the loop uses; NULL if there is none. */
 static const char *openmp_function_in(const ir_node *node) {
     if (node->kind == IR_FUNCTION && strncmp(node->function->name, "omp_", 4) == 0)
         return node->function->name;
@@ -68,7 +68,7 @@ bool openmp_knows_thread(const openmp_directive *d, const ir_node *node) {
     return openmp_schedule_of(d) == OPENMP_STATIC && ir_any(node, is_thread_number);
 }
 
-/* Why a loop with locks and no directive above it must keep its directives. */
+/* Why a loop that contains locks but has no directive above it must keep its directives. */
 static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loop) {
     for (const ir_node *outer = loop->parent; outer; outer = outer->parent) {
         const openmp_loop *around = ir_is_loop(outer) ? openmp_of_loop(a, unit, outer) : NULL;

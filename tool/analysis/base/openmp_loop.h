@@ -1,74 +1,82 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The OpenMP directives of a loop in a file that is compiled with OpenMP: may the loop be executed
- *  without them, in sequential order? */
+/** Reads the OpenMP directives of a loop in a file that is compiled with OpenMP, to decide whether
+ *  the loop may be executed without them, in sequential order. */
 #ifndef ANALYSIS_OPENMP_LOOP_H
 #define ANALYSIS_OPENMP_LOOP_H
 
 #include "analysis/base/openmp_directive.h"
 
-/** The directives of a loop that is to be executed without them: `parallel for` above it, `atomic`
- *  and `critical` inside. */
+/** The directives that a loop's execution omits: `parallel for` or `for` above it, `atomic` and
+ *  `critical` inside. */
 typedef struct openmp_loop {
     unsigned item_count;
     const openmp_item *items;
-    bool has_locks;   /* `atomic` or `critical` in the loop: other threads may update as well */
-    bool is_of_team;  /* `for`, by the team of a region around it */
-    const char *kept; /* the reason why they must be kept, from their text; NULL: none so far */
+    bool has_locks;   /* `atomic` or `critical` occurs in the loop, so other threads may update
+                       * the same memory */
+    bool is_of_team;  /* the directive is `for`: the threads of an enclosing region share the
+                       * loop */
+    const char *kept; /* why the directives must be kept, as far as their text shows it; NULL if
+                       * no reason has been found */
 } openmp_loop;
 
 typedef struct blocked_scalar {
     const ir_variable *variable;
-    const char *operator; /* the clause's operator */
+    const char *operator; /* the operator of the reduction clause */
 } blocked_scalar;
 
-/** Facts about the team that executes `omp for` (reduction/team_loop.h). */
+/** Facts about the team of threads that executes an `omp for` (reduction/team_loop.h). */
 typedef struct team_facts {
-    bool shares_frame; /* its threads share the variables of the function's outermost block */
-    bool may_be_early; /* threads may reach the loop while others still execute an earlier one */
-    bool names_all; /* the region has a `default` other than shared: clauses name its variables */
-    const char *reduced; /* a variable in the loop that the region reduces: it has a copy for each
-                          * thread, with another value than before the region */
+    bool shares_frame; /* the threads share the variables of the function's outermost block */
+    bool may_be_early; /* a thread may reach the loop while others still execute an earlier one */
+    bool names_all;    /* the region has a `default` clause other than shared, so clauses must name
+                        * its variables */
+    const char *reduced; /* a variable in the loop that the region reduces. Each thread has its
+                          * own copy, with another value than before the region. NULL if there is
+                          * none */
 } team_facts;
 
-/** The inner loop of a nest below `collapse`, whose bounds do not depend on the outer counter. */
+/** The inner loop of two loops under `collapse`. Its bounds do not depend on the outer counter. */
 typedef struct nested_blocks {
-    ir_range header; /* `for ( ... )` */
+    ir_range header; /* range of `for ( ... )` */
     counted_loop counted;
     bool has_short_iterations;
 } nested_blocks;
 
-/** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
+/** A loop whose OpenMP directive stays and reduces scalars; see reduction/fixed_blocks.h. */
 typedef struct fixed_blocks {
-    ir_range header; /* `for ( ... )` */
+    ir_range header; /* range of `for ( ... )` */
     const ir_variable *counter;
     unsigned scalar_count;
     const blocked_scalar *scalars;
     openmp_directive directive;
-    team_facts team;            /* of OPENMP_FOR */
-    const nested_blocks *inner; /* blocks divide this loop, too, if the outer one is short; NULL:
-                                 * there is none */
-    bool is_balanced;           /* `schedule` suggests that all iterations take the same time */
-    const char *lock; /* "atomic" or "critical", in the loop: the updates under it are made in any
-                       * order; NULL: none */
-    const char *unordered; /* why these are not made in sequential order; NULL: not known */
+    team_facts team;            /* for OPENMP_FOR */
+    const nested_blocks *inner; /* an inner loop that is divided into blocks too if the outer one
+                                 * is short; NULL if there is none */
+    bool is_balanced;           /* the `schedule` clause, or its absence, suggests that all
+                                 * iterations take the same time */
+    const char *lock; /* "atomic" or "critical" if the loop contains one: updates protected by it
+                       * happen in any order; NULL if there is none */
+    const char *unordered; /* why the updates under `lock` are not made in sequential order; NULL
+                            * if that is unknown */
 } fixed_blocks;
 
-/** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */
+/** The loop's OpenMP directives, above it and inside. NULL if it has none or OpenMP is disabled. */
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop);
 
-/** May the file have code that devices execute as well, which cannot use the runtime? */
+/** May the file contain code that devices also execute? Such code cannot use the runtime. */
 bool openmp_has_devices(const ir_unit *unit);
 
-/** Does the variable have the same value after the loop as before, because a `parallel for` above
- *  it, with these directives, makes it private to the threads? The loop executed without the
- *  directive must then restore it. The counter is private without a clause. */
+/** Does the variable have the same value after the loop as before it, because the directives
+ *  `above` make it private to each thread? If so, a loop executed without them must restore the
+ *  value. A loop's counter is private even without a clause. */
 bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable);
 
-/** Does `schedule` fix which thread executes an iteration, and the node ask for its number? */
+/** Does `schedule` determine which thread executes an iteration, and does the node call
+ *  omp_get_thread_num? */
 bool openmp_knows_thread(const openmp_directive *d, const ir_node *node);
 
-/** The variable called `name` in the loop's scope, or NULL. */
+/** The variable called `name` in the loop's scope; NULL if there is none. */
 const ir_variable *openmp_variable(const ir_unit *unit, const ir_node *loop,
                                    const ir_function *function, const char *name);
 

@@ -65,7 +65,7 @@ openmp_directive openmp_read_above(arena *a, const ir_unit *unit, const ir_direc
 
 /* ---- from the loop outwards ----------------------------------------------------------------- */
 
-/* Is it about a nest, or may one of its macros be? */
+/* Does the directive apply to nested loops, or may a macro in it make it do so? */
 static bool may_be_about_nest(const ir_unit *unit, const ir_directive *d) {
     static const char *const words[] = {"collapse", "ordered", "tile", "interchange"};
     if (d->is_skipped || !d->text || !directive_is_openmp(d))
@@ -78,7 +78,8 @@ static bool may_be_about_nest(const ir_unit *unit, const ir_directive *d) {
            source_find_name(d->text, d->text + strlen(d->text), unit->text.macros, &length);
 }
 
-/* A name directly before the loop that a macro may expand to a directive; or NULL. */
+/* A name directly before the loop that is a macro which may expand to a pragma; NULL if there is
+ * none. */
 static const char *macro_above(arena *a, const ir_unit *unit, const ir_node *loop) {
     const ir_node *parent = loop->parent;
     ir_range before = {parent->range.begin, loop->range.begin};

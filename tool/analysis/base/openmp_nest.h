@@ -1,29 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Nested loops that one directive distributes: `collapse(n)`. One thread executes their iterations
- * in the order of the nest as written.
- */
+/** Handles nested loops that one directive with `collapse(n)` distributes over threads. Without the
+ *  directive, one thread executes them in the order in which they are written. */
 #ifndef ANALYSIS_OPENMP_NEST_H
 #define ANALYSIS_OPENMP_NEST_H
 
 #include "analysis/base/openmp_directive.h"
 
-/** Reads the directive above the loop. The counters of inner loops that `collapse` makes private
- *  become items, as if `private` named them. */
+/** Reads the directive above the loop. The counters of inner loops, which `collapse` makes private,
+ *  are added as if `private` named them. */
 openmp_directive openmp_read_above(arena *a, const ir_unit *unit, const ir_directive *d,
                                    const ir_node *loop);
 
-/** The number in the clause `collapse`; 1: there is none. */
+/** The number in the clause `collapse`; 1 if there is none. */
 unsigned openmp_depth(const openmp_directive *read);
 
-/** The variable that the loop's header sets first; NULL: the header declares one, or sets none. */
+/** The variable that the loop's header sets first; NULL if the header declares it, or sets none. */
 const ir_variable *openmp_counter(const ir_node *loop);
 
-/** The loop that is all of the loop's body; NULL: there is none. */
+/** The `for` loop that forms the whole body of the loop; NULL if there is none. */
 const ir_node *openmp_inner_loop(const ir_node *loop);
 
-/** The text above a loop around this one that concerns both, and so may need this loop as written:
- *  a directive, or a macro that may make one; or NULL. */
+/** The text above an enclosing loop that may apply to this loop as well, so that this loop must
+ *  stay as it is. The text is a directive, or a macro that may expand to one. NULL if there is
+ *  none. */
 const char *openmp_about_nest(arena *a, const ir_unit *unit, const ir_node *loop);
 
 #endif

@@ -26,8 +26,8 @@ static const struct pragma_form {
 
 typedef struct reader {
     arena *memory;
-    char *text;       /* splices removed, comments replaced by blanks */
-    uint32_t *places; /* [length + 1]: the offset of each byte in the directive */
+    char *text;       /* the text, with splices removed and comments replaced by blanks */
+    uint32_t *places; /* [length + 1]: for each byte of `text`, its offset in the directive */
     size_t at;
 } reader;
 
@@ -82,7 +82,7 @@ static bool take(reader *r, const char *token) {
     return true;
 }
 
-/* The next word, "" if there is none. */
+/* Takes the next word; "" if there is none. */
 static const char *take_word(reader *r) {
     skip_blanks(r);
     const size_t begin = r->at;
@@ -99,7 +99,8 @@ static bool take_keyword(reader *r, const char *keyword) {
     return is_it;
 }
 
-/* Skips `#pragma redcc`, or `_Pragma("redcc`, whose end is cut off. */
+/* Skips `#pragma redcc` or `_Pragma("redcc`. For the latter, blanks out the closing quote and what
+ * follows. */
 static bool take_head(reader *r) {
     if (take(r, "#") || take(r, "%:") || take(r, "?\?="))
         return take_keyword(r, "pragma") && take_keyword(r, "redcc");

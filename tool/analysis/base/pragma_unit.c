@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The pragmas of a unit, and the loops that follow them. */
+/* Collects the pragmas of a unit, and finds the loops that follow them. */
 #include <assert.h>
 #include <string.h>
 
@@ -36,7 +36,7 @@ static void read_all(collection *c) {
 
 /* ---- the loop of a pragma ------------------------------------------------------------------ */
 
-/* Binds the pragmas above the loop, with only pragmas between. */
+/* Assigns the loop to the pragmas above it that only other pragmas separate from it. */
 static void bind_loop(collection *c, const ir_node *loop) {
     uint32_t to = loop->range.begin;
     unsigned k = c->unit->directive_count;

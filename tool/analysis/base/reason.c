@@ -18,7 +18,7 @@ static const reason_entry reasons[REASON_COUNT] = {
 #undef X
 };
 
-/* Changes of the source that help. Tests apply them: tests/house/check-advice. */
+/* Changes of the source that remove each reason. tests/house/check-advice applies them. */
 static const char *const advices[REASON_COUNT] = {
     [REASON_ELEMENT_TYPE] = "use subscripts in place of pointers",
     [REASON_UPDATE_VALUE_USED] =
@@ -124,7 +124,7 @@ const char *reason_slug(reason_id id) {
 reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
     assert(id > REASON_NONE && id < REASON_COUNT && name);
     reason r = {id, NULL, range, advices[id]};
-    /* The format is one of reasons.def, each with exactly one %s (a test counts them). */
+    /* the format comes from reasons.def and has exactly one %s (a test checks this) */
     const char *format = reasons[id].message;
     const char *hole = strstr(format, "%s");
     if (hole)

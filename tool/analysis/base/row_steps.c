@@ -3,8 +3,9 @@
 
 #include "analysis/base/expression.h"
 
-/* Elements of a vector among others in one array, `x[3 * i + c]`: as with records, the range from
- * the first to the last also contains other elements. */
+/* The greatest factor of a counter in a subscript such as `x[3 * i + c]` into an array of vectors.
+ * As with records, the range from the first to the last element also contains other elements; a
+ * greater factor would include too many. */
 enum { MOST_FLAT = 16 };
 
 static int64_t if_short(int64_t steps) {
@@ -21,7 +22,8 @@ bool row_index_keeps_steps(const ir_type *from, const ir_type *to) {
             (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
 
-/* By how much the index increases with the counter, without wrapping around; 0: unknown. */
+/* By how much the index increases when the counter increases by 1, without wrapping around; 0 if
+ * that is unknown. */
 static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
     if (index->kind == IR_VARIABLE)
         return index->variable == counter && counter->type->size >= 4;
@@ -47,8 +49,8 @@ static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
                : 0;
 }
 
-/* The element that contains the row `a[i].f.x` or `a[i].v[2]`, which is the same part of each
- * element. The range from the first part to the last also contains other parts. */
+/* The element that contains the row, such as a[i] for `a[i].f.x` or `a[i].v[2]`, which is the same
+ * part of each element. The range from the first part to the last also contains other parts. */
 static const ir_node *element_around(const ir_node *row) {
     for (;; row = row->children[0]) {
         const bool is_member = row->kind == IR_MEMBER && !(row->flags & IR_ARROW) && row->field &&
@@ -61,7 +63,8 @@ static const ir_node *element_around(const ir_node *row) {
     }
 }
 
-/* Is the row a part of the element that the stepped pointer itself points to: *p, p[0], p->x? */
+/* Does the row consist of the element, or a part of it, that the stepped pointer points to: *p,
+ * p[0] or p->x? Also true for p[c] with a constant c. */
 static bool is_at_pointer(const ir_node *row, const ir_variable *pointer) {
     if (pointer->type->kind != IR_POINTER || pointer->type->target->size <= 0 ||
         !row->child_count || !expression_is_variable(row->children[0], pointer))
@@ -95,7 +98,7 @@ bool source_loop_is_span(const source_loop *loop, const ir_node *row) {
            expression_mentions(row, loop->counter) && row_steps_with(row, loop->counter);
 }
 
-/* Are the trees equal if the counters of `b` replace those of `a`? */
+/* Are the trees equal after the counters of `a` are replaced by those of `b`? */
 static bool same_but_for_counters(const ir_node *x, const ir_node *y, unsigned count,
                                   const source_loop *a, const source_loop *b) {
     for (unsigned i = 0; x->kind == IR_VARIABLE && i < count; i++)
@@ -115,7 +118,7 @@ static bool same_but_for_counters(const ir_node *x, const ir_node *y, unsigned c
     return true;
 }
 
-/* The loops' counters may differ. */
+/* Are the loops equal, except for their counter variables? */
 static bool source_loops_equal(unsigned count, const source_loop *a, unsigned other_count,
                                const source_loop *b) {
     for (unsigned i = 0; count == other_count && i < count; i++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* C17 7.11 to 7.14, 7.21, 7.22, 7.24, 7.27 and 7.29, and POSIX functions of the same kinds. A
- * parallel loop may repeat calls of functions without side effects: output would appear twice. */
+/* Functions of C17 7.11 to 7.14, 7.21, 7.22, 7.24, 7.27 and 7.29, and POSIX functions of the same
+ * kinds. A parallel loop may repeat calls of functions without side effects; if such a function
+ * printed, the output would appear twice. */
 #include "analysis/base/stateful.h"
 
 #include <stddef.h>
@@ -8,7 +9,7 @@
 
 typedef struct effect {
     const char *what;
-    const char *names; /* each between two blanks */
+    const char *names; /* the names, each with a blank before and after it */
 } effect;
 
 static const effect effects[] = {

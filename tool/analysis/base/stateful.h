@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions of the C library that no pragma of the user makes free of side effects. */
+/** Knows functions of the C library that have side effects whatever the user's pragmas state. */
 #ifndef ANALYSIS_STATEFUL_H
 #define ANALYSIS_STATEFUL_H
 
-/** The effect of a function of this name, as a verb with its object: "writes output"; NULL: it is
- *  not known to print, allocate, keep state, write memory or end the program. */
+/** The effect of a library function of this name, as a verb with its object, such as "writes
+ *  output". NULL if the function is not known to print, read input, allocate, keep state, write
+ *  memory or end the program. */
 const char *stateful_effect(const char *name);
 
 #endif

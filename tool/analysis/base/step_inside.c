@@ -16,7 +16,7 @@ static unsigned mentions(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* The number of times it is assigned, or its address taken. */
+/* How often the variable is assigned or its address is taken. */
 static unsigned writes(const ir_node *node, const ir_variable *variable) {
     const ir_node *target = expression_written(node);
     unsigned count = target && target->kind == IR_VARIABLE && target->variable == variable;
@@ -27,7 +27,7 @@ static unsigned writes(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* The last occurrence of the variable, in the order of the text; NULL: none. */
+/* The last occurrence of the variable in the order of the text; NULL if there is none. */
 static const ir_node *last_mention(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable)
         return node;
@@ -53,7 +53,8 @@ const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) 
     return step;
 }
 
-/* Does it contain such steps, each of a variable that occurs only once in `statement`? */
+/* Does the node contain such steps? Sets *has_other if a stepped variable occurs more than once in
+ * `statement`. */
 static bool has_lone_steps(const ir_node *node, const ir_node *statement, bool *has_other) {
     bool has_step = is_step_afterwards(node);
     if (has_step)

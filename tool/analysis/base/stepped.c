@@ -7,15 +7,16 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 
-/* With a longer step, the range from the first row to the last contains too many other rows. */
+/* The greatest step. With a greater one, the range from the first row to the last would contain too
+ * many other rows. */
 enum { MOST_STEP = 16 };
 
 static bool is_local(const ir_variable *variable) {
     return variable->storage == IR_LOCAL && !variable->address_taken;
 }
 
-/* Can the header step the variable with the counter? An integer that passes here does not wrap
- * around before the loop ends: no object has that many elements. */
+/* Can the variable be one that the header steps with the counter? An integer for which this is true
+ * does not wrap around before the loop ends, because no object has that many elements. */
 static bool can_step_with_counter(const ir_node *body, const ir_variable *variable) {
     const ir_type *type = variable->type;
     const bool is_integer =
@@ -32,7 +33,7 @@ static bool is_stepped(const loop_span *span, const ir_variable *variable) {
     return false;
 }
 
-/* Adds a variable that the header changes otherwise, w += dw. */
+/* Adds a variable that the header changes in another way than the counter, as in w += dw. */
 static bool find_other(const ir_node *step, loop_span *span) {
     const ir_node *target = expression_written(step);
     if (!target || target->kind != IR_VARIABLE || !is_local(target->variable) ||
@@ -44,7 +45,7 @@ static bool find_other(const ir_node *step, loop_span *span) {
     return true;
 }
 
-/* Adds the variables that the header steps as it does the counter: i++, p++ or i += 3, p += 3. */
+/* Adds the variables that the header steps like the counter: i++, p++, or i += 3, p += 3. */
 static bool find_stepped(const ir_node *step, loop_span *span) {
     ir_variable *variable;
     int64_t by;
@@ -60,7 +61,8 @@ static bool find_stepped(const ir_node *step, loop_span *span) {
     return true;
 }
 
-/* Is no variable both stepped and changed otherwise, and is the counter stepped? */
+/* Is the counter among the stepped variables, and is no variable both stepped and changed in
+ * another way? */
 static bool are_disjoint(const loop_span *span) {
     for (unsigned i = 0; i < span->other_count; i++)
         if (is_stepped(span, span->others[i]) || span->others[i] == span->counted.counter)

@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Loops with a short step, other variables that they step, and rows at equal distances in them. */
+/** Recognises spans (loop_span in facts.h): inner loops with a small step, together with the
+ *  variables that they step. */
 #ifndef ANALYSIS_STEPPED_H
 #define ANALYSIS_STEPPED_H
 
 #include "analysis/base/facts.h"
 
-/** Is this an ascending `for` with a short step, with any body? Then *span has the variables that
- *  are stepped with its counter, and those that the header changes otherwise. */
+/** Is this an ascending `for` with a small step? The body may be anything. If so, *span has the
+ *  variables that are stepped with the counter, and those that the header changes in another
+ *  way. */
 bool span_recognise(ir_node *loop, loop_span *span);
 
-/** The number of the loop's stepped variables that the expression mentions. */
+/** How many of the loop's stepped variables the expression mentions. */
 unsigned span_mentions(const loop_span *span, const ir_node *expression);
 
-/** The only stepped variable that it mentions; NULL: none, or several. */
+/** The only stepped variable that the expression mentions; NULL if it mentions none or several. */
 const ir_variable *span_stepped_in(const loop_span *span, const ir_node *expression);
 
-/** Is the row invariant in the loop, or at a constant distance from that of the iteration before?
- */
+/** Is the row invariant in the loop, or at a constant distance from the row of the preceding
+ *  iteration? */
 bool span_is_recorded(const loop_span *span, const ir_node *row);
 
 #endif

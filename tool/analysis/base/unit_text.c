@@ -10,8 +10,9 @@ struct unit_text {
     const ir_unit *unit;
     const char *fenv_access;
     bool has_own_options;
-    VECTOR(uint32_t) counters; /* offsets of __COUNTER__, in order */
-    /* the last function searched: loops are analysed function by function */
+    VECTOR(uint32_t) counters; /* offsets of __COUNTER__ in the file, in ascending order */
+    /* The last function that was searched, with the result. Loops are analysed function by
+     * function, so one entry is enough. */
     const ir_function *searched;
     const ir_node *obstacle;
     const char *obstacle_name;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Facts about the text of the whole file or function, computed once: if each loop repeated the
- *  search, the cost would be quadratic in the file's size. */
+/** Facts about the text of the whole file or of a function. They are computed once, because
+ *  repeating the search for each loop would make the cost quadratic in the file's size. */
 #ifndef ANALYSIS_UNIT_TEXT_H
 #define ANALYSIS_UNIT_TEXT_H
 
@@ -8,20 +8,22 @@
 
 typedef struct unit_text unit_text;
 
-/** Allocated in the arena; borrows the unit. */
+/** Creates the facts. They are allocated in the arena and refer to the unit. */
 unit_text *unit_text_new(arena *a, const ir_unit *unit);
 
-/** A directive, of the file or of a header, that may switch FENV_ACCESS on, or NULL. */
+/** The text of a directive, in the file or a header, that may switch FENV_ACCESS on; NULL if there
+ *  is none. */
 const char *unit_text_fenv_access(const unit_text *text);
 
-/** May parts of the file be compiled with other options than the macros at its beginning show? */
+/** May parts of the file be compiled with other options than the compiler's macros at the file's
+ *  beginning show? */
 bool unit_text_has_own_options(const unit_text *text);
 
 /** Does this range of the file contain __COUNTER__? */
 bool unit_text_has_counter(const unit_text *text, ir_range range);
 
-/** A node of the function that uses a name reserved for generated text (*is_setjmp: that calls
- *  setjmp), with the name; or NULL. */
+/** A node of the function that calls setjmp, or that names a variable reserved for generated text;
+ *  NULL if there is none. *is_setjmp says which of the two it is, and *name is the name. */
 const ir_node *unit_text_obstacle(unit_text *text, const ir_function *function, const char **name,
                                   bool *is_setjmp);
 

@@ -26,8 +26,8 @@ static bool operator_of(ir_operator op, reduction_operator *reduction) {
     }
 }
 
-/* Descends through one operator (+ and - together) to the target, always on the side that keeps its
- * sign. */
+/* Finds the target in the value by descending through operators of one kind (+ and - count as one),
+ * but never into the subtracted side of a `-`. NULL if the target is not found. */
 static const ir_node *find_self(const ir_node *value, const ir_node *target,
                                 reduction_operator op) {
     reduction_operator here;

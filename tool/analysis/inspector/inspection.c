@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The contents of the inspector: the slice of rows and touched sources, the sources in the order of
- * their reads, the key, and whether these determine when a plan may be reused. */
+/* Collects the contents of the inspector: the slice for rows and touched sources, the sources in
+ * the order in which it reads them, and the key. Decides whether sources and key together show when
+ * a plan may be reused. */
 #include "analysis/inspector/inspection.h"
 
 #include "analysis/base/expression.h"
@@ -21,7 +22,8 @@ static void add_touch(const loop_analysis *j, touch_list *list, const loop_sourc
     VECTOR_PUSH(j->an->memory, list, item);
 }
 
-/* In add(h + s[t], v) and add_at(h, s[t], v) the row is assembled from copies of the arguments. */
+/* Is the row assembled from copies of a call's arguments, as for `add(h + s[t], v)` and
+ * `add_at(h, s[t], v)`? */
 static bool is_assembled(const reduction_update *update) {
     return !ir_contains(update->statement, update->row);
 }
@@ -34,8 +36,8 @@ static bool is_read_for_row(const reduction_update *update, const loop_access *r
     return read->access.node != update->row && ir_contains(update->row, read->access.node);
 }
 
-/* Does the inspector evaluate this access: in a statement of the slice, in its control, or in a
- * row? */
+/* Does the inspector make this access, in a statement of the slice, in its control structure, or in
+ * a row? */
 static bool is_in_slice(const loop_analysis *j, const bool *keep, const loop_access *read) {
     const ir_node *place = slice_place(j, read->access.node);
     if (place && keep[place->id])
@@ -67,7 +69,8 @@ static bool is_of_iteration(const loop_analysis *j, const location *where) {
     return declarator && ir_contains(j->loop, declarator);
 }
 
-/* Is the base passed to a function that may compute a value from it, other than for an update? */
+/* Is the base passed to a function that may compute a value from it? Calls that are updates do not
+ * count. */
 static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir_node *base) {
     if (node->kind == IR_CALL && !analysis_is_update(j, node->parent) &&
         expression_occurrences(node, base))
@@ -78,8 +81,9 @@ static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir
     return false;
 }
 
-/* The base of an array need not be compared, because the plan is relative to it. It must be if
- * another value is computed from it, as in h[s[t] + (q - h)]. */
+/* Is the lvalue an array's base that need not be compared when a plan is reused? Plans are relative
+ * to the base. But if another value is computed from it, as in h[s[t] + (q - h)], it must be
+ * compared. */
 static bool is_array_base(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (!j->arrays.items[i].array.is_scattered &&
@@ -88,7 +92,8 @@ static bool is_array_base(const loop_analysis *j, const ir_node *lvalue) {
     return false;
 }
 
-/* An invariant scalar or pointer: its value goes into the key. */
+/* Adds the value of an invariant scalar or pointer to the key. Returns false if it cannot be part
+ * of the key. */
 static bool add_key(loop_analysis *j, const loop_access *read) {
     const ir_node *lvalue = read->access.lvalue;
     if (read->access.callee || !lvalue->type ||
@@ -115,8 +120,8 @@ static bool is_written(const loop_analysis *j, const ir_node *statement, const i
     return false;
 }
 
-/* Does the row, recorded before `first`, have the same address before `second`, a later statement
- * of the same block? */
+/* Does the row have the same address before `second` as before `first`, its place of recording?
+ * `second` is a later statement of the same block. */
 static bool stays_until(const loop_analysis *j, const ir_node *row, const ir_node *first,
                         const ir_node *second) {
     if (first == second)
@@ -142,7 +147,8 @@ static bool source_stays_until(const loop_analysis *j, const loop_source *item,
     return stays_until(j, item->row, first, second);
 }
 
-/* Merges elements of one table under the same conditions, if there is room. */
+/* Merges bounds for the same table under the same conditions into one source. Returns false if they
+ * differ, or if there are too many terms. */
 static bool add_bounds(loop_analysis *j, loop_source *to, const element_bounds *more) {
     element_bounds *all = ARENA_NEW(j->an->memory, element_bounds);
     *all = *to->bounds;
@@ -181,7 +187,8 @@ static void add_source(loop_analysis *j, const loop_source *item) {
     VECTOR_PUSH(j->an->memory, &j->sources, *item);
 }
 
-/* Adds the first and the last element that a callee's search reads, if both can be recorded. */
+/* Adds the first and the last element that a callee's search reads. Returns false if they cannot be
+ * recorded. */
 static bool add_search(loop_analysis *j, const loop_access *read) {
     source_plan first, last;
     if (!read->access.to || !source_plans_of_search(j, read, &first, &last))
@@ -193,14 +200,15 @@ static bool add_search(loop_analysis *j, const loop_access *read) {
 
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript);
 
-/* Records that no plan is reused: the read determines subscripts, and cannot be compared. */
+/* Notes that no plan can be reused, because the read determines subscripts and its values cannot be
+ * compared with the earlier ones. */
 static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
     if (j->slice.is_verifiable)
         j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
     j->slice.is_verifiable = false;
 }
 
-/* Is it the lvalue `whole`, or an element or member inside of it? */
+/* Is it the lvalue `whole`, or an element or member inside it? */
 static bool is_within(const ir_node *lvalue, const ir_node *whole) {
     while (!expression_same(lvalue, whole)) {
         const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
@@ -214,7 +222,7 @@ static bool is_within(const ir_node *lvalue, const ir_node *whole) {
     return true;
 }
 
-/* The read that makes this load, perhaps with other bytes; NULL: none. */
+/* A read that includes this load, perhaps with further bytes; NULL if there is none. */
 static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -225,22 +233,22 @@ static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue)
     return NULL;
 }
 
-/* Loads needed for recorded addresses, which the inspector computes completely. `read`: the
- * callee's read that is recorded; NULL: none. */
+/* The read whose address the inspector records, and which needs loads. `read` is a callee's read;
+ * NULL if the row is that of an update. */
 typedef struct recorded_loads {
     const loop_source *recorded;
     const loop_access *read;
 } recorded_loads;
 
-/* Adds a load that a callee's recorded read implies, with those loops of the read whose counters it
- * mentions. */
+/* Adds a load that the callee's recorded read implies, with those of the read's loops whose
+ * counters the load mentions. */
 static void add_load_in_loops(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
     loop_access load = *of->read;
     load.access.lvalue = node;
     load.access.type = node->type;
     load.access.is_behind = false;
     load.where = location_of(j->an->facts, node, j->loop);
-    /* these flags hold only for the read's own row */
+    /* these flags apply only to the row of the read itself */
     load.needs_guard = load.meets_scalars = load.meets_arrays = false;
     while (load.access.loop_count &&
            !expression_mentions(node, of->recorded->loops[load.access.loop_count - 1].counter))
@@ -267,7 +275,8 @@ static void add_loads_below(loop_analysis *j, const ir_node *row, const recorded
     }
 }
 
-/* A callee's loads determine its addresses: while a plan is kept, they must not change. */
+/* Adds the loads that determine the addresses in a callee. As long as a plan is kept, they must not
+ * change. */
 static void add_loads_of(loop_analysis *j, const loop_source *recorded, const loop_access *read) {
     const recorded_loads of = {recorded, read};
     add_loads_below(j, recorded->row, &of);
@@ -279,8 +288,8 @@ static void add_loads_of(loop_analysis *j, const loop_source *recorded, const lo
     }
 }
 
-/* Adds the read: to the key or the compared sources, if it determines subscripts; to the guarded
- * sources, if it needs a guard. */
+/* Adds the read. If it determines subscripts, it goes into the key or the compared sources. If it
+ * needs a guard, it goes into the guarded sources. */
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript) {
     source_plan contents = {0};
     bool is_keyed = false;
@@ -311,7 +320,7 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
     }
 }
 
-/* Does the slice need the element's value at the beginning of an iteration? */
+/* Does the slice need the value that the own element has at the beginning of an iteration? */
 static bool own_is_read_in_slice(const loop_analysis *j, const loop_access *read) {
     const own_element *own = &j->own.items[own_named(j, read->access.lvalue)];
     return own->is_in_slice && !own->is_stored_first;
@@ -326,7 +335,7 @@ static void add_sources(loop_analysis *j, const bool *keep) {
         const loop_access *read = &j->accesses[i];
         const bool is_own = read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED &&
                             read->access.lvalue && own_named(j, read->access.lvalue) >= 0;
-        if (is_own) /* its value at the beginning of an iteration */
+        if (is_own) /* the read of the element at the beginning of an iteration */
             add_read(j, read, own_is_read_in_slice(j, read));
         else if (read->is_scalar)
             add_read(j, read, false);
@@ -367,9 +376,9 @@ static bool has_sum_in_memory(const loop_analysis *j) {
     return false;
 }
 
-/* The slice is executed before the loop, so it must not read a sum in memory, or another
- * iteration's own element. Own elements have known places, and the slice's reads at known places
- * are compared with them before the slice is executed. */
+/* Checks that the slice, which is executed before the loop, does not read a sum in memory, or an
+ * own element of another iteration. Own elements are at known addresses, so the slice's reads at
+ * known addresses are compared with them before the slice is executed. */
 static bool check_scalars_unread(loop_analysis *j) {
     const bool has_sum = has_sum_in_memory(j);
     bool meets = false;
@@ -403,8 +412,8 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         if (!set_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
             return false;
     }
-    /* Sources found in the slice are recorded at their places. Computing their addresses may add
-     * statements to the slice. */
+    /* sources found in the slice are recorded at their places; computing their addresses may add
+     * statements to the slice */
     bool is_stable = false;
     for (unsigned round = 0; round < 3 && !is_stable; round++) {
         const bool *before = j->slice.holds;
@@ -417,13 +426,13 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         is_stable = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->left_out.exits) { /* the check before reusing a plan would make reads that the program
-                              * may never execute */
+    if (j->left_out.exits) { /* the check before a plan is reused would make reads that the
+                              * program may never make */
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }
     j->slice.is_verifiable = j->slice.is_verifiable && is_stable && has_rows;
-    j->slice.has_floating_work |= !has_rows; /* that of computing the rows */
+    j->slice.has_floating_work |= !has_rows; /* computing the rows is then part of it */
     if (!check_scalars_unread(j))
         return false;
     if (!is_small(j))
@@ -431,7 +440,8 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
     return true;
 }
 
-/* The slice for executions without an inspection, which record only the reads that need a guard. */
+/* Finds the slice for executions without an inspection, which only record the reads that need a
+ * guard. */
 static void find_slice_of_reads(loop_analysis *j) {
     touch_list touches = {0};
     for (unsigned i = 0; i < j->sources.count; i++)
@@ -450,7 +460,7 @@ static slice_result result_of(const loop_analysis *own) {
                           .slice = own->slice};
 }
 
-/* May two copies of the loop's text round differently? Then their subscripts might differ. */
+/* May two copies of the loop's text round differently, so that their subscripts differ? */
 static bool may_round_differently(const loop_analysis *j) {
     return j->function->has_other_attributes || unit_text_has_own_options(j->an->text);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The contents of the inspector, and whether its plan may be kept. */
+/** Determines the contents of the inspector, and whether its plan may be kept for later
+ *  executions. */
 #ifndef ANALYSIS_INSPECTION_H
 #define ANALYSIS_INSPECTION_H
 
@@ -7,15 +8,15 @@
 
 typedef struct slice_result {
     reason why;
-    private_list privates; /* with is_in_slice */
-    own_list own;          /* likewise */
+    private_list privates; /* is_in_slice is set */
+    own_list own;          /* is_in_slice is set */
     source_list sources;   /* in the order in which the slice reads them */
     key_list key;
     loop_slice slice;
 } slice_result;
 
-/** The code that computes rows and touched sources, and whether a plan may be kept. If the rows
- *  cannot be computed a second time, the code is for the sources alone. */
+/** Computes the slice, which determines rows and touched sources, and whether a plan may be kept.
+ *  If the rows cannot be computed twice, the slice is only for the sources. */
 slice_result check_slice(const loop_analysis *j);
 
 #endif

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * The slice keeps every statement of the body that may assign a needed variable, and the control
- * around it; what these need is kept as well. It notes floating-point arithmetic: the inspector
- * must compute exactly the subscripts of the executor, and two copies of one text do so only if the
- * compiler rounds each operation separately (docs/decisions/0003). Control that only decides
- * whether an address is touched is kept if it can be computed without floating-point values; else
- * it is left out, if the address may be computed without it.
- */
+/* The slice contains every statement of the body that may assign a needed variable, the control
+ * structure around it, and in turn what these need.
+ *
+ * It records whether it contains floating-point arithmetic. The inspector must compute exactly the
+ * executor's subscripts, and two copies of the same text do so only if the compiler rounds each
+ * operation separately (docs/decisions/0003).
+ *
+ * Conditions that only decide whether an address is touched are kept if they can be computed
+ * without floating-point values. Otherwise they are left out, provided that the address may be
+ * computed unconditionally. */
 #include "analysis/inspector/slice.h"
 
 #include "analysis/loop/place.h"
@@ -21,10 +23,10 @@
 #include "analysis/loop/own.h"
 #include "analysis/reduction/forward.h"
 
-/* A variable, or one field of a variable that is a record. */
+/* A variable, or one field of a record variable. */
 typedef struct needed_part {
     const ir_variable *variable;
-    const ir_field *field; /* NULL: all of it */
+    const ir_field *field; /* NULL for the whole variable */
 } needed_part;
 
 typedef struct slicer {
@@ -33,8 +35,8 @@ typedef struct slicer {
     const slice_touch *touches;
     bool *keep;
     VECTOR(needed_part) needed;
-    uint64_t own;         /* bits, by number: own elements whose values are needed */
-    bool is_integer_only; /* in this attempt floating-point values are an obstacle */
+    uint64_t own;         /* a set of bits: the indices of own elements whose values are needed */
+    bool is_integer_only; /* floating-point values are not permitted in the current attempt */
     bool has_floating_work;
     const ir_node *obstacle;
 } slicer;
@@ -49,7 +51,8 @@ static void fail(slicer *s, const ir_node *node) {
 
 /* ---- control --------------------------------------------------------------------------------- */
 
-/* The jumps that leave a loop or switch. Those that end an iteration are handled separately. */
+/* Keeps the jumps that leave a loop or switch. Jumps that end an iteration are handled by
+ * keep_continues. */
 static void keep_breaks(slicer *s, const ir_node *node) {
     if (node->kind == IR_BREAK)
         keep_statement(s, node, NULL);
@@ -106,10 +109,11 @@ static bool is_declared_in(const slicer *s, const ir_variable *variable, const i
     return variable->storage == IR_LOCAL && declarator && ir_contains(node, declarator);
 }
 
-/* Keeps everything around a kept node, up to the loop's body. A condition around the block that
- * declares the variable, or around the loop over constants that sets it wherever it is named, does
- * not affect its value there: the node that needs the value is in that block or loop as well, and
- * has its conditions kept, or is safe without them. */
+/* Keeps the control structure around a kept node, up to the loop's body. Some conditions do not
+ * affect the value of the variable `of` where it is needed. These are conditions around the block
+ * that declares it, or around a loop over constants that sets it wherever it is named. The node
+ * that needs the value is also inside that block or loop. Either its own conditions are kept, or it
+ * is safe without them. */
 static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
     for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
         if (outer->kind != IR_IF || !of ||
@@ -129,8 +133,8 @@ static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
     return declarator && ir_contains(s->j->loop, declarator);
 }
 
-/* Uses of a variable in memory. Values stored through pointers are followed only into arrays that
- * do not escape (keep_stores_into). */
+/* How a variable in memory is used. Values stored through pointers are followed only into arrays
+ * that do not escape (keep_stores_into). */
 typedef enum use_kind { USE_IN_PLACE, USE_BY_CALL, USE_UNKNOWN } use_kind;
 
 static use_kind use_kind_of(const ir_node *node) {
@@ -155,7 +159,8 @@ static bool is_in_memory(const ir_variable *variable) {
     return variable->address_taken || !ir_type_is_scalar(variable->type);
 }
 
-/* The field of the variable in an occurrence: v.f, v.f[1]; NULL: all of it. */
+/* The field of the variable that this occurrence uses, as in v.f or v.f[1]; NULL if it is the whole
+ * variable. */
 static const ir_field *part_of(const ir_node *use) {
     const ir_node *parent = use->parent;
     if (parent && parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW) && use->type &&
@@ -164,7 +169,8 @@ static const ir_field *part_of(const ir_node *use) {
     return NULL;
 }
 
-/* The occurrence of the variable in a write: the bottom of its target's path. */
+/* The variable's occurrence at the start of the written path; NULL if the path does not start at a
+ * variable. */
 static const ir_node *bottom_of(const ir_node *write) {
     const ir_node *node = expression_written(write);
     if (write->kind == IR_UNARY && write->op == IR_OP_ADDRESS)
@@ -178,7 +184,7 @@ static bool concerns(const ir_field *needed, const ir_field *written) {
     return !needed || !written || needed == written;
 }
 
-/* Notes the part; returns whether it was noted before. */
+/* Adds the part to the needed ones. Returns whether it was among them already. */
 static bool note_part(slicer *s, needed_part part) {
     for (unsigned i = 0; i < s->needed.count; i++)
         if (s->needed.items[i].variable == part.variable &&
@@ -195,8 +201,8 @@ static bool is_in_update(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* Keeps statements that may store into the array through pointers. As it does not escape, each such
- * pointer's location is the array, or entirely unknown. */
+/* Keeps statements that may store to the array through pointers. Since the array does not escape,
+ * the location of such a store is either the array or entirely unknown. */
 static void keep_stores_into(slicer *s, const ir_variable *array) {
     for (unsigned i = 0; i < s->j->access_count; i++) {
         const loop_access *a = &s->j->accesses[i];
@@ -218,7 +224,7 @@ static void need_part(slicer *s, needed_part part) {
         const ir_node *write = fact->writes.items[i];
         const ir_node *bottom = bottom_of(write);
         if (is_step_afterwards(write) && is_in_update(s, write))
-            continue; /* its last use in the iteration (updates.c) */
+            continue; /* the step is the variable's last use in the iteration (updates.c) */
         if (ir_contains(s->j->counted.body, write) &&
             concerns(part.field, bottom ? part_of(bottom) : NULL))
             keep_statement(s, expression_place(write), variable);
@@ -238,8 +244,9 @@ static void need_part(slicer *s, needed_part part) {
     }
 }
 
-/* Another execution of the same text gives the same bits if each operation is rounded separately:
- * no extended types, whose rounding depends on the compiler. */
+/* Does the operation give the same bits in another copy of the text? Only if it is rounded
+ * separately: types with extended precision are excluded, because the compiler may round them
+ * differently in each copy. */
 static bool is_repeatable(const slicer *s, const ir_node *node) {
     return !s->is_integer_only && node->type && node->type->kind == IR_FLOATING &&
            node->type->size <= 8 && !s->j->function->has_other_attributes &&
@@ -263,8 +270,8 @@ static void need_call(slicer *s, const ir_node *call) {
                            !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
 }
 
-/* Does the node write memory that is not private to the iteration? Only the executor may write it.
- */
+/* Does the node write memory that is not private to the iteration? Only the executor may write
+ * that. */
 static bool writes_shared(const slicer *s, const ir_node *node) {
     if (node->kind != IR_CALL && !expression_written(node))
         return false;
@@ -277,8 +284,8 @@ static bool writes_shared(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* Keeps the statements that compute the stored value and the store's condition. The element's
- * memory is not needed. */
+/* Keeps the statements that compute the stored value and the store's condition. The memory of the
+ * element is not needed. */
 static void need_forward(slicer *s, const forwarded_store *store) {
     if (s->keep[store->statement->id])
         return;
@@ -287,7 +294,7 @@ static void need_forward(slicer *s, const forwarded_store *store) {
     keep_around(s, store->statement, NULL);
 }
 
-/* Like a variable, the element needs the statements that store to it. */
+/* Keeps the statements that store to the own element, as for a variable. */
 static void need_own(slicer *s, unsigned number) {
     const uint64_t bit = (uint64_t)1 << number;
     if (s->own & bit)
@@ -314,7 +321,7 @@ static void need_expression(slicer *s, const ir_node *node) {
         return;
     }
     if (s->is_integer_only && node->type && node->type->kind == IR_FLOATING)
-        fail(s, node); /* data, which another execution may find changed */
+        fail(s, node); /* it is data that the next execution may find changed */
     if (expression_is_floating_work(node))
         need_floating_work(s, node, is_repeatable(s, node));
     if (writes_shared(s, node))
@@ -327,9 +334,9 @@ static void need_expression(slicer *s, const ir_node *node) {
         need_expression(s, node->children[i]);
 }
 
-/* Keeps a simple statement, a declarator, a jump; or a control statement whose header contains the
- * write. `of`: the variable whose value needs the statement (keep_around); NULL: all its effects.
- */
+/* Keeps a simple statement, declarator or jump; or a control statement, if its header contains the
+ * write. `of` is the variable whose value needs the statement (keep_around); NULL if all effects
+ * are needed. */
 static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of) {
     if (!statement || s->obstacle)
         return;
@@ -361,7 +368,7 @@ static snapshot take_snapshot(const slicer *s) {
     return before;
 }
 
-/* Keeps a control statement; if that fails, restores the state. */
+/* Keeps a control statement. If that is impossible, restores the state and returns false. */
 static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
     if (s->keep[node->id])
         return true;
@@ -385,8 +392,9 @@ static bool has_own_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH || ir_is_loop(node);
 }
 
-/* x[t - 1] where t is 0: its address, in an iteration that does not read it, would extend the range
- * over all memory. Evaluating its condition is worth some work. */
+/* In iterations that do not read the row, may its address be far from the other rows, as for
+ * `x[t - 1]` where t is 0? Such an address would extend the range over almost all memory, so
+ * evaluating the read's condition is worth some work. */
 static bool is_wild(const slicer *s, const ir_node *node) {
     const ir_variable *counter = s->j->counted.counter;
     if (node->type && node->type->kind == IR_INTEGER)
@@ -412,7 +420,7 @@ static bool changes_only(const slicer *s, const ir_node *node, const ir_node *sc
     return true;
 }
 
-/* May the slice execute the kept parts of this statement when the program does not? */
+/* May the slice execute the kept parts of this statement where the program does not execute it? */
 static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node *scope) {
     const ir_variable *counter;
     int64_t first, last;
@@ -420,7 +428,7 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
     case IR_EXPRESSION:
     case IR_DECLARATOR:
         return slice_is_safe_here(s->j, node, false) && changes_only(s, node, scope);
-    case IR_BREAK: /* it would leave a loop too early */
+    case IR_BREAK: /* the break would leave a loop too early */
         return false;
     case IR_IF:
         return slice_is_safe_here(s->j, node->children[0], false);
@@ -432,7 +440,7 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
     }
 }
 
-/* Is it safe to enter all kept parts below `node` that follow `from`? */
+/* Is it safe to execute all kept parts below `node` that follow `from`? */
 static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *from,
                           const ir_node *scope) {
     if (node->id > from->id && s->keep[node->id] && !is_safe_to_enter(s, node, scope))
@@ -448,9 +456,9 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *f
 }
 
 /* ---- loops over blocks ------------------------------------------------------------------------
- * In an innermost loop over the rows of a block, inside of another loop of the iteration, the
- * condition of touching a single row is not worth evaluating: the block is recorded as a whole
- * (loop/spans.c), and the condition's reads determine no subscripts. */
+ * An innermost loop over consecutive rows, inside another loop of the iteration, is recorded as a
+ * whole (loop/spans.c). A condition for touching a single row is not worth evaluating there, and
+ * the reads in it determine no subscripts. */
 
 static ir_node *loop_around(const slicer *s, const ir_node *node) {
     ir_node *outer = node->parent;
@@ -469,7 +477,7 @@ static bool is_in_block(const slicer *s, const ir_node *node) {
             (s->touches[i].loop_count || !span_is_recorded(&span, s->touches[i].row) ||
              !slice_is_safe_here(s->j, s->touches[i].row, true)))
             return false;
-    /* none of its reads may be a source that is compared */
+    /* no read in the loop may be one of the compared sources */
     for (unsigned i = 0; i < s->j->sources.count; i++)
         if (s->j->sources.items[i].is_subscript && s->j->sources.items[i].place &&
             ir_contains(span.counted.body, s->j->sources.items[i].place))
@@ -489,7 +497,8 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
             s->keep[outer->id] |= outer->kind == IR_CASE || outer->kind == IR_DEFAULT;
             continue;
         }
-        /* A loop around an invariant address: recording it once is enough. */
+        /* a loop around an invariant address is not needed, because recording the address once is
+         * enough */
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
@@ -509,8 +518,8 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
 
 /* ---- continue -------------------------------------------------------------------------------- */
 
-/* Can this `continue` be left out of the slice if it needs floating-point work: may the rest of the
- * iteration be executed as well? */
+/* May this `continue` be left out of the slice? Only if the rest of the iteration may be executed
+ * nevertheless. */
 static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node *jump,
                             unsigned touch_count, const slice_touch *touches) {
     const ir_node *body =
@@ -572,8 +581,8 @@ static void need_touch(slicer *s, const slice_touch *touch) {
     }
 }
 
-/* The conditions by which an iteration leaves the loop, or the program, are computed exactly, and
- * only in the iterations that reach them. */
+/* Keeps the conditions by which an iteration leaves the loop or ends the program. They are computed
+ * exactly, and only in iterations that reach them. */
 static void keep_exits(slicer *s) {
     const loop_exits *exits = s->j->left_out.exits;
     for (unsigned i = 0; exits && i < exits->count && !s->obstacle; i++)

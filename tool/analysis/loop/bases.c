@@ -3,7 +3,7 @@
 
 #include "analysis/base/expression.h"
 
-/* The pointer that evaluating the expression dereferences last; NULL: none. */
+/* The pointer that evaluating the expression dereferences last; NULL if it dereferences none. */
 static const ir_node *dereferenced(const ir_node *node) {
     const ir_node *child = node->child_count ? node->children[0] : NULL;
     bool child_is_array = child && child->type && child->type->kind == IR_ARRAY;
@@ -43,14 +43,14 @@ static bool is_subscript(const ir_node *node) {
     return node->kind == IR_INDEX;
 }
 
-/* Is the access made in each iteration? If a called function makes it: once in each call, and of
- * exactly this lvalue. */
+/* Is the access made in each iteration? If a called function makes it, each call must make it once,
+ * and to exactly this lvalue. */
 static bool is_certain(const access *a) {
     return !a->is_conditional &&
            (!a->callee || (a->lvalue && a->is_exact && !a->is_behind && !a->loop_count));
 }
 
-/* Is exactly this object read in each iteration? */
+/* Does each iteration read exactly this object? */
 static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
         const access *a = &j->found.items.items[i];
@@ -66,11 +66,11 @@ bool base_is_in_object_read(const loop_analysis *j, const ir_node *load) {
 }
 
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
-    /* That the loop reads another element of the array does not prove that this one exists. */
+    /* another element that the loop reads does not prove that this one exists */
     if (ir_any(base, is_subscript) && base->type && base->type->kind != IR_ARRAY)
         return is_read_anyway(j, base);
     const ir_node *pointer = dereferenced(base);
     if (!pointer || (base->type && base->type->kind == IR_ARRAY && pointer->kind == IR_VARIABLE))
-        return true; /* for p->b with an array b only an address is computed */
+        return true; /* p->b with an array b only computes an address */
     return list_dereferences(&j->found, pointer);
 }

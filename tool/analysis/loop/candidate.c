@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * The variables of a loop's body that depend on its counter: a closure over assignments,
- * declarations, calls that may fill objects, and the conditions around them. Overestimating is
- * safe: this decides only which loop of a nest is tried.
- */
+/* Finds the variables of a loop's body that depend on its counter, as a closure over assignments,
+ * declarations, calls that may write to objects, and the conditions around them. An overestimate is
+ * safe, because this only decides which loop of a nest is tried. */
 #include "analysis/loop/candidate.h"
 
 #include <assert.h>
@@ -19,13 +17,15 @@ typedef struct dependence {
     variable_facts *facts;
     effects *effects;
     dependent_list variables;
-    dependent_list filled; /* by calls: what they contain or point to depends */
+    dependent_list filled; /* variables to whose contents or targets a call may write values that
+                            * depend on the counter */
     bool has_changed;
-    bool has_update; /* an update that depends on the counter */
+    bool has_update; /* there is an update whose element, or whose execution, depends on the
+                      * counter */
 } dependence;
 
-/* Accepts loops in any counted form: other variables that the header steps do not make them longer.
- */
+/* Accepts loops in any counted form. Other variables that the header steps do not make a loop
+ * longer. */
 bool candidate_is_tiny(const ir_node *loop) {
     enum { TINY = 16 };
     const counted_result counted = counted_recognise_analysed((ir_node *)loop);
@@ -39,7 +39,8 @@ bool candidate_is_tiny(const ir_node *loop) {
     return distance <= TINY;
 }
 
-/* Does the function consist of a few statements: no loop, and only calls of others like it? */
+/* Does the function consist of a few statements, without loops, and call only functions like itself
+ * or the C library? */
 static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth);
 
 static bool calls_straight(const ir_unit *unit, const ir_node *callee, unsigned depth) {
@@ -121,7 +122,8 @@ static bool is_address(const ir_node *argument) {
     return type && (type->kind == IR_POINTER || type->kind == IR_ARRAY);
 }
 
-/* Does the address that is passed change with the counter? The memory there may. */
+/* Does the address that is passed change with the counter? The memory it points to does not count
+ * here. */
 static bool argument_depends(const dependence *d, const ir_node *argument) {
     switch (argument->kind) {
     case IR_VARIABLE:
@@ -141,8 +143,8 @@ static bool argument_depends(const dependence *d, const ir_node *argument) {
     }
 }
 
-/* Do the elements that the call may update depend on the counter? Those of add(&h[k], v) do if an
- * address does; those of add_at(h, k, v) if an integer does. */
+/* Does it depend on the counter which elements the call may update? For add(&h[k], v) it does if an
+ * address depends on the counter; for add_at(h, k, v), if an integer does. */
 static bool call_depends(const dependence *d, const ir_node *call) {
     bool has_address = false, is_of_array = true, is_elsewhere = false, has_subscript = false;
     for (unsigned i = 1; i < call->child_count; i++) {
@@ -158,7 +160,7 @@ static bool call_depends(const dependence *d, const ir_node *call) {
     return is_elsewhere || (has_address && is_of_array && has_subscript);
 }
 
-/* Does the function update memory that is not the caller's own? */
+/* Does the function update memory other than the caller's automatic variables? */
 static bool call_updates(const dependence *d, const ir_node *call) {
     access_list list = {0};
     access_collect(d->effects, call, &list);
@@ -172,7 +174,7 @@ static bool call_updates(const dependence *d, const ir_node *call) {
     return false;
 }
 
-/* Its function may fill what the arguments point to, or update it. */
+/* Handles a call of a function that may write to, or update, the targets of its arguments. */
 static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
     if (!is_dependent && !depends(d, call))
         return;
@@ -182,7 +184,7 @@ static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
             add_to(d, &d->filled, ir_root_variable(call->children[i]));
 }
 
-/* The table w of *p, *p++, p[k] with p in w; NULL: another lvalue. */
+/* The array w, if the lvalue is *p, *p++ or p[k] and p points into w; otherwise NULL. */
 static const ir_variable *array_walked_by(const dependence *d, const ir_node *lvalue) {
     while (lvalue->kind != IR_VARIABLE && lvalue->child_count)
         lvalue = lvalue->children[0];
@@ -191,14 +193,14 @@ static const ir_variable *array_walked_by(const dependence *d, const ir_node *lv
     return array ? array->variable : NULL;
 }
 
-/* `is_dependent`: whether this is executed depends on the counter. */
+/* Handles a node of the body. `is_dependent` says that the counter decides whether the node is
+ * executed. */
 static void visit(dependence *d, const ir_node *node, bool is_dependent) {
     const ir_node *target = expression_written(node);
     if (target) {
         bool value_depends = is_dependent || address_depends(d, target) ||
                              (node->kind == IR_ASSIGN && depends(d, node->children[1]));
-        /* A store through a pointer does not change the pointer, but the table into which it
-         * points. */
+        /* a store through a pointer changes the array into which it points, but not the pointer */
         ir_variable *root = ir_root_variable(target);
         if (value_depends && root && (target->kind == IR_VARIABLE || !is_pointer(root)))
             add(d, root);

@@ -7,31 +7,33 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/variation.h"
 
-enum { DEEPEST = 8 }; /* definitions that are followed */
+enum { DEEPEST = 8 }; /* greatest number of definitions that are followed */
 
 typedef struct query {
     variable_facts *facts;
     const ir_node *loop;
-    const ir_node *place; /* the access: in the loops whose counters are inner ones */
+    const ir_node *place; /* the access; the loops around it, inside `loop`, are the inner
+                           * loops */
     unsigned depth;
 } query;
 
-/* The kinds of terms in an address. */
+/* The kinds of values in an address. */
 typedef struct terms {
-    bool has_window; /* counters of inner loops whose range changes with the iteration */
+    bool has_window; /* counters of inner loops whose range changes with the iteration of
+                      * `loop` */
     bool has_table;  /* values read from memory */
-    bool has_row;    /* values that change with the iteration independently: in a separate
-                      * subscript, or as a product, i * n */
-    bool has_own;    /* the same, but as a summand: i + j */
-    bool has_long;   /* counters of inner loops with an invariant range */
-    bool has_short;  /* the same, of a constant range */
+    bool has_row;    /* values that differ between iterations, in a separate subscript or as a
+                      * factor (i * n), so that iterations have separate rows */
+    bool has_own;    /* values that differ between iterations, as a summand: i + j */
+    bool has_long;   /* counters of inner loops whose range is invariant */
+    bool has_short;  /* counters of inner loops whose range is constant */
 } terms;
 
 static bool is_varying(const query *q, const ir_node *node) {
     return !variation_is_invariant(q->facts, q->loop, node);
 }
 
-/* The value of ({ ...; value; }); NULL: it is none. */
+/* The value of a statement expression ({ ...; value; }); NULL if the node is none. */
 static const ir_node *value_of_statements(const ir_node *node) {
     const ir_node *block = ir_is_statement_expression(node) ? node->children[0] : NULL;
     const ir_node *last =
@@ -50,8 +52,9 @@ static const ir_node *without_casts(const ir_node *node) {
 
 /* ---- pointers ------------------------------------------------------------------------------- */
 
-/* The pointer that an address begins with: of p[k], *p, *(p + k), p->m; NULL: it begins with an
- * object or an array. *has_subscript: it reaches more than the first element. */
+/* The pointer p with which an address begins, as in p[k], *p, *(p + k) or p->m. NULL if the address
+ * begins with a variable or an array. *has_subscript says that other elements than the first may be
+ * reached. */
 static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     const ir_node *child = node->child_count ? without_casts(node->children[0]) : NULL;
     *has_subscript = false;
@@ -70,8 +73,8 @@ static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     return child;
 }
 
-/* The only value that the loop gives a local pointer, other than by steps; NULL: there is none, or
- * several. */
+/* The only value that the loop assigns to a local pointer; steps do not count. NULL if there is
+ * none or more than one. */
 static const ir_node *value_in_loop(const query *q, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(q->facts, variable);
     const ir_node *value = NULL;
@@ -89,8 +92,8 @@ static const ir_node *value_in_loop(const query *q, const ir_variable *variable)
     return value;
 }
 
-/* Is a pointer in the address loaded from memory, a different one in each iteration? In a table of
- * rows, row[i][j], each row counts as a separate array. */
+/* Is a pointer in the address loaded from memory, and does it vary with the iteration? The row
+ * pointers in row[i][j] do not count: each row is treated as a separate array. */
 static bool is_by_loaded_pointer(query *q, const ir_node *lvalue) {
     bool has_subscript;
     for (const ir_node *node = without_casts(lvalue); node;) {
@@ -122,7 +125,7 @@ static bool is_by_loaded_pointer(query *q, const ir_node *lvalue) {
 
 /* ---- ranges of inner loops ------------------------------------------------------------------- */
 
-/* The value that the header sets the variable to. */
+/* The value to which the header sets the variable; NULL if it does not set it. */
 static const ir_node *start_in(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_DECLARATOR && node->variable == variable)
         return ir_child(node, 0);
@@ -144,8 +147,8 @@ static bool mentions_written(const ir_node *node, const ir_node *header) {
     return false;
 }
 
-/* The side of the comparison that the inner loop's increment does not change; NULL: another
- * condition. */
+/* The side of the condition that the inner loop's increment does not change; NULL if the condition
+ * is no comparison. */
 static const ir_node *bound_of(const ir_node *inner) {
     const ir_node *condition = inner->children[1];
     if (condition->kind == IR_EXPRESSION)
@@ -168,7 +171,7 @@ static const ir_node *defined(const query *q, const ir_node *node) {
     return node;
 }
 
-/* Is the range from first[i] to first[i + 1]? */
+/* Is the range a segment: from first[i] to first[i + 1]? */
 static bool is_segment(const query *q, const ir_node *start, const ir_node *bound) {
     int64_t one;
     start = defined(q, start);
@@ -182,7 +185,8 @@ static bool is_segment(const query *q, const ir_node *start, const ir_node *boun
            expression_constant(next->children[1], &one) && one == 1;
 }
 
-/* The inner `for` around the access whose header sets and steps the variable; NULL: none. */
+/* The inner `for` around the access whose header sets and steps the variable; NULL if there is
+ * none. */
 static const ir_node *inner_loop_of(const query *q, const ir_variable *variable) {
     for (const ir_node *outer = q->place->parent; outer && outer != q->loop; outer = outer->parent)
         if (outer->kind == IR_FOR && start_in(outer->children[0], variable) &&
@@ -250,8 +254,8 @@ static bool has_address(const ir_node *node) {
     return ir_is_pointer(node) || ir_is_array(node);
 }
 
-/* The terms of the address, subscript by subscript: an independent value in one of them makes rows
- * of the others. */
+/* The terms of the address. Subscripts are examined one by one: if one of them has an independent
+ * value, the others select elements inside a row. */
 static terms terms_of(query *q, const ir_node *lvalue) {
     terms all = {0};
     const ir_node *node = without_casts(lvalue);
@@ -284,13 +288,14 @@ static terms terms_of(query *q, const ir_node *lvalue) {
             all.has_row = true;
         add_all(&all, &own);
         node = next ? without_casts(next) : NULL;
-        if (node && node->kind == IR_UNARY && node->op == IR_OP_ADDRESS) /* *&h[k]: of a call */
+        if (node && node->kind == IR_UNARY && node->op == IR_OP_ADDRESS) /* *&h[k], from a call */
             node = without_casts(node->children[0]);
     }
     return all;
 }
 
-/* An element of a vector, or a selection: `_Generic(0, int: h[k])`. */
+/* Classifies an opaque access, such as an element of a vector, or a selection
+ * `_Generic(0, int: h[k])`. */
 static conflict_kind conflict_of_opaque(variable_facts *facts, const ir_node *loop,
                                         const ir_node *opaque, const ir_node *place) {
     conflict_kind worst = CONFLICT_NONE;

@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Selects the updates that make a loop a candidate: those of an element that two iterations may
- * update, by a simple criterion. This decides only which loops are analysed; other checks prove
- * what may be done.
- */
+/** Selects the updates that make a loop a candidate: those of elements that two iterations may
+ *  update, by a simple criterion. This decides only which loops are analysed; other checks prove
+ *  what may be done. */
 #ifndef ANALYSIS_CONFLICT_H
 #define ANALYSIS_CONFLICT_H
 
 #include "analysis/memory/variable_facts.h"
 
 typedef enum conflict_kind {
-    CONFLICT_NONE,    /* each iteration has separate elements, or all have the same few: sums */
-    CONFLICT_REGULAR, /* iterations may update one element, in a nest of loops with invariant bounds
-                       * and subscripts that are affine in their counters */
-    CONFLICT_SHARED   /* a table, a loaded pointer, or a variable range selects the element */
+    CONFLICT_NONE,    /* each iteration has separate elements, or all iterations have the same few
+                       * (sums) */
+    CONFLICT_REGULAR, /* two iterations may update the same element, but in a nest of loops with
+                       * invariant bounds and with subscripts that are affine in the counters */
+    CONFLICT_SHARED   /* a value from a table, a loaded pointer, or a range that varies selects
+                       * the element */
 } conflict_kind;
 
-/** The number, vector or other object that the lvalue is a part of, as in `__real__ z[k]`; the
- *  lvalue itself if it is no such part. */
+/** The whole object if the lvalue is a part of one, such as the complex number z[k] for
+ *  `__real__ z[k]`, or a vector. Otherwise the lvalue itself. */
 const ir_node *conflict_whole(const ir_node *lvalue);
 
-/** For an lvalue that is updated in the loop by the node at `place`: the lvalue itself, or a call
- *  whose function updates it. Of a part of an object, the conflict of the whole, whichever parts
- *  the iterations update. Rows of matrices, a[i * n + j] and a[i][j], count as
- *  separate for each iteration i, and so do consecutive segments, first[i] up to first[i + 1]. */
+/** Classifies the update of an lvalue by the node `place`, which is the lvalue itself or a call
+ *  whose function updates it. For a part of an object the result is that for the whole object,
+ *  whichever parts the iterations update. Rows of matrices, a[i * n + j] and a[i][j], count as
+ *  separate for each iteration i. So do consecutive segments, from first[i] to first[i + 1]. */
 conflict_kind conflict_at(variable_facts *facts, const ir_node *loop, const ir_node *lvalue,
                           const ir_node *place);
 

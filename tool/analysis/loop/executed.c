@@ -9,7 +9,8 @@
 
 typedef VECTOR(counter_limit) limit_list;
 
-/* Does C compare counter and bound as numbers, without a conversion that may change one of them? */
+/* Does C compare the counter and the bound as mathematical numbers, without a conversion that may
+ * change one of them? */
 static bool compares_numbers(const ir_type *counter, const ir_node *bound) {
     int64_t constant;
     const bool counts_signed = counter->is_signed || counter->size < 4;
@@ -49,7 +50,7 @@ static void add_comparison(const loop_analysis *j, limit_list *list, const ir_no
         VECTOR_PUSH(j->an->memory, list, limit);
 }
 
-/* Adds the limits that follow if the condition holds, or if it does not. */
+/* Adds the limits that follow from the condition being true, or false if `holds` is false. */
 static void add_condition(const loop_analysis *j, limit_list *list, const ir_node *condition,
                           bool holds) {
     if (condition->kind == IR_UNARY && condition->op == IR_OP_NOT) {
@@ -77,7 +78,8 @@ static bool is_continue(const ir_node *statement) {
     return statement->kind == IR_CONTINUE;
 }
 
-/* Adds the limits by `if (t == 0) continue;` above it in the same block. */
+/* Adds the limits that follow from statements such as `if (t == 0) continue;` before `below` in the
+ * same block. */
 static void add_jumps_above(const loop_analysis *j, limit_list *list, const ir_node *block,
                             const ir_node *below) {
     for (unsigned i = 0; i < block->child_count && block->children[i] != below; i++) {
@@ -105,7 +107,7 @@ unsigned executed_limits(const loop_analysis *j, const ir_node *node,
         else if (parent->kind == IR_BLOCK)
             add_jumps_above(j, &list, parent, below);
         else if (parent->kind == IR_SWITCH)
-            list.count = 0; /* a jump to a label may skip the conditions inside */
+            list.count = 0; /* a jump to a label may skip the conditions found so far */
     }
     *limits = list.items;
     return list.count;
@@ -124,7 +126,7 @@ bool source_ends_equal(const loop_source *a, const loop_source *b) {
 
 /* ---- in each iteration ----------------------------------------------------------------------- */
 
-/* Is this part evaluated whenever `parent` is, once? */
+/* Is this part evaluated exactly once whenever `parent` is? */
 static bool is_certain_part(const ir_node *parent, const ir_node *part) {
     return expression_evaluates_parts(parent) ||
            (parent->kind == IR_BINARY && parent->children[0] == part);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reasons against rewriting a loop's text, or counting its iterations, whatever it computes. */
+/* Finds reasons not to rewrite a loop's text, or not to count its iterations. */
 #include "analysis/loop/gate.h"
 
 #include <assert.h>
@@ -15,9 +15,9 @@
 
 /* ---- the source text ------------------------------------------------------------------------- */
 
-/* Skips blanks, comments, empty statements, directives and text that is not compiled (another
- * compilation uses the original loop: as_compiled.h). Returns the beginning of other text, or
- * `to`. */
+/* Skips blanks, comments, empty statements, directives, and text that is not compiled (a
+ * compilation that does compile it uses the original loop: as_compiled.h). Returns the beginning of
+ * any other text, or `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
     while ((from = source_skip_blanks(unit->source, from, to)) < to) {
@@ -32,16 +32,16 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     return to;
 }
 
-/* A macro that may make a pragma in the text before the loop, in the statement that contains it:
- * `if (n > 3) IVDEP for (...)`. */
+/* A macro that may expand to a pragma, before the loop in the statement that contains it:
+ * `if (n > 3) IVDEP for (...)`. NULL if there is none. */
 static const char *pragma_macro_before(const loop_analysis *j, uint32_t to) {
     const ir_unit *unit = j->an->unit;
     const ir_range above = {j->loop->parent->range.begin, to};
     return text_pragma_macro(j->an->memory, unit, above);
 }
 
-/* A macro, or a _Pragma, between the loop and the preceding statement: it may apply to the loop,
- * and a compiler may require a loop after it. */
+/* Finds a macro or a _Pragma between the preceding statement and the loop. It may apply to the
+ * loop, and a compiler may require a loop after it. */
 static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
@@ -53,7 +53,7 @@ static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
         return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro) : (reason){0};
     }
     uint32_t from = block->range.begin;
-    /* without a brace here, a macro makes it, perhaps with other text */
+    /* if no brace begins here, the brace comes from a macro, perhaps together with other text */
     static const char *const braces[] = {"{", "<%", "?\?<"};
     for (unsigned i = 0; i < sizeof braces / sizeof *braces; i++)
         if (strncmp(s->text + from, braces[i], strlen(braces[i])) == 0)
@@ -76,9 +76,8 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
-/* A reason if an OpenMP directive of the loop must stay. This ignores directives that this
- * compilation does not use, and those whose text shows that the loop may be executed without
- * them. */
+/* Finds an OpenMP directive of the loop that must stay. Directives that this compilation ignores do
+ * not count, nor do those that redcc can replace according to their text. */
 static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
@@ -156,8 +155,9 @@ reason check_text(const loop_analysis *j) {
 
 /* ---- jumps ----------------------------------------------------------------------------------- */
 
-/* `loops_and_switches` and `switches` count those around the statement inside the analysed loop. A
- * case without a switch there belongs to one around the loop, which jumps into it. */
+/* Checks a statement for jumps. `loops_and_switches` and `switches` count the statements of these
+ * kinds between it and the analysed loop. A case label outside of any inner switch belongs to a
+ * switch around the loop, which then jumps into the loop. */
 static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                          unsigned switches) {
     switch (node->kind) {
@@ -202,7 +202,7 @@ static bool is_errno(const ir_node *node) {
            strcmp(node->children[0]->function->name, "__errno_location") == 0;
 }
 
-/* Does any function of the file read errno? The loop's caller may. */
+/* Does any function of the file read errno? The loop's caller may be one of them. */
 static bool file_reads_errno(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && ir_any(unit->functions[i]->body, is_errno))
@@ -210,7 +210,8 @@ static bool file_reads_errno(const ir_unit *unit) {
     return false;
 }
 
-/* Refuses an update of a shared element, by an operator, if its value is used. */
+/* Refuses updates by an operator of an element that iterations share if the update's value is
+ * used. */
 static reason check_values(const loop_analysis *j, const access_list *found) {
     for (unsigned i = 0; i < found->items.count; i++) {
         const access *a = &found->items.items[i];
@@ -230,7 +231,8 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* The reason against computing the first values twice: the original loop computes them again. */
+/* The reason for which the values that the header sets cannot be computed twice. The original loop
+ * may compute them again. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)
@@ -240,9 +242,9 @@ static reason check_lower(const loop_analysis *j) {
     return first_problem(j, &list);
 }
 
-/* A bound is computed once; the sequential loop computes it before each iteration. So it may call
- * only functions that write nothing and whose results are repeatable. That the memory they read
- * does not change is shown as for all reads of the loop. */
+/* Checks the bound. Generated code computes it once, the sequential loop before each iteration. It
+ * may therefore only call functions that write nothing and whose results are repeatable. Whether
+ * the memory that it reads changes is checked like all reads of the loop. */
 static reason check_bound(const loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->counted.bound, &list);
@@ -255,7 +257,8 @@ static reason check_bound(const loop_analysis *j) {
     return analysis_reason(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
 }
 
-/* For a counter whose address may be stored: the loop must not access it through a pointer. */
+/* Refuses a loop that may access its counter through a pointer, which is possible if the counter's
+ * address is taken. */
 static reason check_counter(const loop_analysis *j, const access_result *result) {
     const ir_variable *counter = j->counted.counter;
     const location where = {.object = counter, .type = counter->type};
@@ -270,7 +273,7 @@ static reason check_counter(const loop_analysis *j, const access_result *result)
     return (reason){0};
 }
 
-/* Reasons that can be found before the accesses are located in memory. */
+/* Finds reasons that do not depend on where the accesses are in memory. */
 static reason check_all(const loop_analysis *j, const access_list *found) {
     const ir_unit *unit = j->an->unit;
     reason why = check_values(j, found);

@@ -6,7 +6,7 @@
 #include "analysis/base/stepped.h"
 #include "ir/ir_syntax.h"
 
-/* A loop whose iterations may have a hull. */
+/* A loop that may have a hull. */
 typedef struct outer_loop {
     const loop_analysis *j;
     const span_list *spans;
@@ -24,15 +24,15 @@ static const loop_span *span_at(const span_list *spans, const ir_node *loop) {
 
 /* ---- affine functions of the outer loop's counter -------------------------------------------- */
 
-/* The value that the outer loop's body gives a variable, once in each iteration; NULL: the variable
- * is set elsewhere, or counts an inner loop. */
+/* The value that each iteration of the outer loop's body gives a variable once. NULL if the
+ * variable is declared elsewhere, or has no such single value. */
 static const ir_node *value_inside(const outer_loop *t, const ir_variable *variable) {
     return ir_declarator_in(t->span.counted.body, variable)
                ? variable_single_definition(t->j->an->facts, variable)
                : NULL;
 }
 
-/* Does the expression change with the outer counter? */
+/* Does the expression change with the outer loop's counter? */
 static bool depends(const outer_loop *t, const ir_node *node) {
     if (node->kind == IR_VARIABLE) {
         const ir_node *value = value_inside(t, node->variable);
@@ -46,8 +46,8 @@ static bool depends(const outer_loop *t, const ir_node *node) {
 
 static bool is_row_affine(const outer_loop *t, const ir_node *row);
 
-/* Is the integer or pointer an affine function of the outer counter, in arithmetic that never wraps
- * around, or does so as addresses do? */
+/* Is the integer or pointer an affine function of the outer loop's counter? Its arithmetic must not
+ * wrap around, except as addresses do. */
 static bool is_affine(const outer_loop *t, const ir_node *node) {
     if (!depends(t, node))
         return true;
@@ -95,8 +95,8 @@ static bool has_independent_header(const outer_loop *t, const ir_node *inner) {
     return true;
 }
 
-/* Does the slice have only declarations below the node, and spans and loops with hulls whose ranges
- * are the same in each iteration? */
+/* Does the slice contain nothing below the node but declarations, spans, and loops with hulls whose
+ * ranges are the same in each iteration? */
 static bool has_only_spans(const outer_loop *t, const ir_node *node) {
     const bool holds = t->j->slice.holds[node->id];
     if (holds && node->kind == IR_FOR)
@@ -113,9 +113,9 @@ static bool has_only_spans(const outer_loop *t, const ir_node *node) {
     return true;
 }
 
-/* Is the update executed in each iteration of the loops of the slice below the outer one? If the
- * program left out iterations, addresses of these might be invalid and wrap around. And does a span
- * log it? */
+/* Does each iteration of the slice's loops inside the outer loop execute the update, and does a
+ * span record it? If the program skipped iterations, the addresses for these might be invalid and
+ * wrap around. */
 static bool is_always_made(const outer_loop *t, const reduction_update *update) {
     bool is_in_span = false;
     for (const ir_node *node = update->statement->parent; node != t->span.loop;
@@ -128,8 +128,8 @@ static bool is_always_made(const outer_loop *t, const reduction_update *update) 
     return is_in_span && update->statement->kind == IR_EXPRESSION;
 }
 
-/* Does the loop read memory whose addresses the slice logs? They would be logged for the visited
- * iterations alone. */
+/* Does the loop contain reads whose addresses the slice records? For a hull, they would be recorded
+ * only for the first and the last iteration. */
 static bool logs_reads(const loop_analysis *j, const ir_node *loop) {
     for (unsigned i = 0; i < j->sources.count; i++) {
         const loop_source *read = &j->sources.items[i];

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Checks that pointers that a loop loads through others are loop-invariant. */
+/** Proves that the pointers which a loop loads through other pointers (loop_loads.h) are
+ *  loop-invariant. */
 #ifndef ANALYSIS_LOADS_STAY_H
 #define ANALYSIS_LOADS_STAY_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** True: nothing in the loop writes the pointers, or those they are loaded through, under any name.
- *  Proved, not guarded. */
+/** True if nothing in the loop writes these pointers, or the pointers through which they are
+ *  loaded, under any name. This is proved, without a guard at run time. */
 bool loads_stay(const analyser *an, const ir_node *loop, const loop_loads *loads);
 
 #endif

@@ -9,7 +9,7 @@
 #include "analysis/memory/update_group.h"
 #include "ir/ir_position.h"
 
-/* vector_grow copies; without items there is no storage to be shared */
+/* vector_grow copies the items; an empty list has no storage that could be shared */
 #define OWN_LIST(a, list)                                                                          \
     do {                                                                                           \
         (list)->capacity = (list)->count;                                                          \
@@ -79,7 +79,7 @@ void analysis_assert_unchanged(const loop_analysis *known, uint64_t before) {
 
 #endif
 
-/* For a message, the loop by the name of its counter, or by its line if it counts with none. */
+/* The loop's name in a message: by its counter, or by its line if it has none. */
 static const char *loop_text(const loop_analysis *j, const char *counter) {
     const ir_unit *unit = j->an->unit;
     const counted_result found = counted_recognise_analysed(j->loop);
@@ -171,7 +171,7 @@ const char *analysis_name(const loop_analysis *j, const ir_node *lvalue) {
     return root ? root->name : expression_text(j->an->memory, lvalue);
 }
 
-/* Is `parent` a step from a base to its elements: b[i], *(b + i), (*b).x? */
+/* Is `parent` a step from a base towards its elements: b[i], *(b + i), (*b).x? */
 static bool is_step_to_element(const ir_node *parent, const ir_node *node) {
     const bool is_left = parent->child_count > 0 && parent->children[0] == node;
     const bool is_pointer = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;

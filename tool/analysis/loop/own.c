@@ -1,19 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * A variable may replace the element if
- * - its subscript has another value in each iteration, and nothing else in its address changes:
- *   no two iterations have one element, and its address may be computed at any time;
- * - each iteration reads it, before it stores to it. So reading it at the beginning does nothing
- *   that the program would not do. It also has this type before the loop begins: no store of the
- *   loop lies between, so other iterations cannot read it as another type (C17 6.5p7). Or each
- *   iteration stores to it, before it reads it: then nothing is read at the beginning, and types
- *   distinguish only declared objects (6.5p6), also from sums and other own elements, which are
- *   stored late, too;
- * - all other memory that the loop reads is disjoint from it, by proof or by a comparison before
- *   anything is written, and all else that it writes is an update, with which all reads are
- *   compared. So no iteration sees that the store is made later;
- * - the text names it by this expression alone, and nowhere takes its address.
- */
+/* A variable may replace the element under these conditions:
+ * - Its subscript has a different value in each iteration, and nothing else in its address changes.
+ *   Then no two iterations share an element, and its address may be computed at any time.
+ * - Either each iteration reads it before storing to it. Reading it at the beginning then does
+ *   nothing that the program would not do. The element also has this type before the loop, and
+ *   since the loop stores late, other iterations cannot read it as another type (C17 6.5p7). Or
+ *   each iteration stores to it before reading it. Then nothing is read at the beginning, and types
+ *   prove only that declared objects are disjoint (6.5p6).
+ * - All other memory that the loop reads is disjoint from it, by proof or by a comparison before
+ *   anything is written. Everything else that the loop writes is an update, with which all reads
+ *   are compared. So no iteration can observe that the store happens later.
+ * - The loop's text names the element only by this expression, and never takes its address. */
 #include "analysis/loop/own.h"
 
 #include "analysis/base/expression.h"
@@ -23,8 +20,8 @@ enum { MOST_OWN = 16 };
 
 /* ---- its form -------------------------------------------------------------------------------- */
 
-/* The counter, possibly cast to a type that is at least as wide, plus or minus invariants:
- * different iterations have different values, even if sums wrap around. */
+/* Is it the counter, possibly cast to a type at least as wide, plus or minus invariants? Its values
+ * in different iterations then differ, even if sums wrap around. */
 static bool differs_always(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_CAST)
         return ir_type_is_plain_integer(node->type) &&
@@ -46,7 +43,8 @@ static bool is_array(const loop_analysis *j, const ir_node *base) {
                 : base->type->kind == IR_POINTER && analysis_is_unchanged(j, base));
 }
 
-/* An element of an inner array that certainly exists: its subscript is constant and in range. */
+/* Is it an element of an inner array with a constant subscript in range, so that it certainly
+ * exists? */
 static bool is_constant_inside(const ir_node *node) {
     int64_t value;
     return node->kind == IR_INDEX && node->children[0]->type->kind == IR_ARRAY &&
@@ -54,7 +52,7 @@ static bool is_constant_inside(const ir_node *node) {
            value < node->children[0]->type->count;
 }
 
-/* The row t[i + c] that contains the lvalue; NULL: the lvalue is a bit-field. */
+/* The row t[i + c] that contains the lvalue; NULL if a bit-field is on the way. */
 static const ir_node *row_of(const ir_node *lvalue) {
     const ir_node *node = lvalue;
     while ((node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) || is_constant_inside(node)) {
@@ -85,7 +83,7 @@ static bool is_of(const loop_access *a, const ir_node *element) {
            a->access.lvalue == a->access.node && expression_same(a->access.lvalue, element);
 }
 
-/* The first access that each iteration certainly makes to the element. */
+/* Which access to the element each iteration certainly makes first. */
 typedef enum first_use { FIRST_UNKNOWN, FIRST_READ, FIRST_STORED } first_use;
 
 static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
@@ -97,7 +95,7 @@ static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
             continue;
         const bool reads =
             a->kind == ACCESS_READ || (a->kind == ACCESS_UPDATE && a->form.has_operator);
-        /* a store takes place after the value has been evaluated */
+        /* a store happens after the assigned value has been evaluated */
         const unsigned at = reads ? a->node->id : expression_last_id(a->node->parent);
         unsigned *any = reads ? &any_read : &any_store;
         unsigned *certain = reads ? &certain_read : &certain_store;
@@ -134,15 +132,15 @@ static bool takes_its_address(const ir_node *node, const ir_node *element) {
     return false;
 }
 
-/* The element's location, with its type as that of the access. */
+/* The element's location, with the element's type as the type of the access. */
 static location location_of_element(const loop_analysis *j, const ir_node *element) {
     location where = location_of(j->an->facts, element, j->loop);
     where.type = element->type;
     return where;
 }
 
-/* x[t][0] and x[t][2]: are both scalars at different places of a row, so that they are disjoint for
- * any t? */
+/* Is the other access to another scalar of the same row, such as x[t][0] and x[t][2]? The two are
+ * then disjoint for any t. */
 static bool is_other_part(const loop_analysis *j, const loop_access *other,
                           const ir_node *element) {
     const ir_node *lvalue = other->access.lvalue;
@@ -151,7 +149,7 @@ static bool is_other_part(const loop_analysis *j, const loop_access *other,
            !expression_same(lvalue, element) && expression_same(row_of(lvalue), row_of(element));
 }
 
-/* The same as access_reads_first, also for elements that own_take lists only later. */
+/* Same as access_reads_first, but also for elements that own_take has not listed yet. */
 static bool reads_first(const loop_analysis *j, const loop_access *other) {
     return own_is_element(j, other->access.lvalue) && is_of(other, other->access.lvalue)
                ? first_use_of(j, other->access.lvalue) == FIRST_READ

@@ -1,33 +1,32 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Elements of an iteration's own, which it reads and stores to:
+/** Finds own elements: array elements that only one iteration touches, and that it reads and stores
+ *  to:
  *
- *     if (member[t] != c) changes++;
- *     member[t] = c;
+ *      if (member[t] != c) changes++;
+ *      member[t] = c;
  *
- * No other iteration touches the element. While the loop runs, a variable replaces the element, and
- * memory is unchanged: even if an iteration is executed several times, it begins with the same
- * value. The variable's last value is kept, as operands of scalars are, and stored after all
- * iterations.
- */
+ *  While the loop runs, a variable replaces the element, and memory is unchanged. Even if an
+ *  iteration is executed several times, it therefore begins with the same value. The variable's
+ *  last value is kept, like the operands of scalars, and stored after all iterations. */
 #ifndef ANALYSIS_OWN_H
 #define ANALYSIS_OWN_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Is it a scalar t[i + c] or a part of one, at a different address in each iteration? Its array
- *  must be a variable, or the target of an invariant pointer. */
+/** Is the lvalue a scalar t[i + c], or a scalar part of it, at a different address in each
+ *  iteration? The array must be a variable, or the target of an invariant pointer. */
 bool own_is_element(const loop_analysis *j, const ir_node *lvalue);
 
-/** If analyser.keeps_own is set: lists the elements that variables replace, and classifies their
- *  accesses. Adds an access for each element: the read at the beginning. */
+/** Lists the elements that variables will replace, and classifies the accesses to them. For each
+ *  element, adds an access that represents the read at the iteration's beginning. Does nothing
+ *  unless analyser.keeps_own is set. */
 void own_take(loop_analysis *j);
 
-/** Once all writes are classified: do only updates write memory that may be an own element? If not,
- *  sets the reason. */
+/** Checks, once all writes are classified, that only updates may write memory that may be an own
+ *  element. If not, sets the reason and returns false. */
 bool own_check(loop_analysis *j);
 
-/** The number of the own element that this node names; -1: it names none. */
+/** Index of the own element that this node names; -1 if it names none. */
 int own_named(const loop_analysis *j, const ir_node *node);
 
 #endif

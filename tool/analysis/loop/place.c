@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Expressions that the inspector may compute at another place, or under fewer conditions, than the
- * program. */
+/* Decides which expressions the inspector may compute at another place, or under fewer conditions,
+ * than the program does. */
 #include "analysis/loop/place.h"
 
 #include "analysis/base/expression.h"
@@ -13,7 +13,7 @@ bool slice_is_safe_anywhere(const ir_node *row) {
     return !expression_has_load(row, true) && !expression_has_hazard(row);
 }
 
-/* Does each iteration also make an equal load elsewhere, under no condition? */
+/* Does each iteration also make an equal load elsewhere, unconditionally? */
 static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -24,7 +24,7 @@ static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     return false;
 }
 
-/* Do all variables in it have one value throughout an iteration? */
+/* Do all variables in the expression keep one value throughout an iteration? */
 static bool is_steady(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_VARIABLE && node->variable != j->counted.counter &&
         variable_written_in(j->an->facts, j->loop, node->variable))
@@ -65,7 +65,8 @@ const ir_node *slice_place(const loop_analysis *j, const ir_node *node) {
     if (place && place->kind == IR_DECLARATOR && place->parent && place->parent->parent &&
         place->parent->parent->kind == IR_FOR)
         place = place->parent->parent;
-    for (unsigned i = 0; place && i < j->updates.count; i++) /* an update is one statement */
+    for (unsigned i = 0; place && i < j->updates.count; i++) /* an update counts as one
+                                                              * statement */
         if (ir_contains(j->updates.items[i].statement, place))
             place = j->updates.items[i].statement;
     return place && place != j->loop && ir_contains(j->loop, place) ? place : NULL;
@@ -83,8 +84,8 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place) {
     return false;
 }
 
-/* Does `place` use the variable only in one step v++, so that it has the same value there as at the
- * beginning of `place`? */
+/* Does `place` use the variable only in one step v++? Then the step finds the value that the
+ * variable has at the beginning of `place`. */
 static bool is_only_stepped(const loop_analysis *j, const ir_node *place,
                             const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
@@ -128,7 +129,7 @@ bool slice_can_record(const loop_analysis *j, const loop_source *recorded, const
                    (!slice_is_safe_anywhere(recorded->row) ||
                     !slice_loops_are_constant(recorded->loop_count, recorded->loops))))
         return false;
-    /* For if and switch only the condition is computed in between. */
+    /* for an if or a switch, only the condition is computed before `place` */
     if (place->kind == IR_IF || place->kind == IR_SWITCH)
         place = place->children[0];
     for (unsigned i = 0; i < recorded->loop_count; i++)

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Inner loops that the inspector need not iterate: in the slice they only record consecutive rows,
+/** A span is an inner loop that the inspector need not iterate. In the slice it only records
+ *  consecutive rows, so the first and the last row determine the range:
  *
- *     for (c = 0; c < m; c++)  centers[k * m + c] += ...
+ *      for (c = 0; c < m; c++) centers[k * m + c] += ...
  *
- * so that the first and the last row determine the range. A nested one whose header does not depend
- * on the outer one has the same rows in each of its iterations, and is recorded once:
+ *  A nested span whose header does not depend on the outer span has the same rows in each outer
+ *  iteration, and is recorded once:
  *
- *     for (p = first, i = 0; i < n; i++, p++)
- *         for (q = second, k = 0; k < m; k++, q++)  f[p] += ..., f[q] -= ...
+ *      for (p = first, i = 0; i < n; i++, p++)
+ *          for (q = second, k = 0; k < m; k++, q++) f[p] += ..., f[q] -= ...
  *
- * A row may depend on both counters if the nested loop is over constants, `f[3 * p + c]`: it has
- * the nested loop's first value in the first row and its last one in the last row.
+ *  A row may depend on both counters if the nested loop is over constants, as in `f[3 * p + c]`.
+ *  The first row is then that for the nested loop's first value, the last row that for its last
+ *  value.
  *
- * With a step of s, `for (j = 0; j < n; j += 3) f[j] += ..., f[j + 1] += ..., f[j + 2] += ...`, the
- * loop accesses s rows in each iteration: the range has no others.
- */
+ *  If the loop has a step of s (here 3), each iteration must access s consecutive rows. The range
+ *  then contains no others:
+ *
+ *      for (j = 0; j < n; j += 3) f[j] += ..., f[j + 1] += ..., f[j + 2] += ... */
 #include "analysis/loop/spans.h"
 
 #include "analysis/base/counted.h"
@@ -28,7 +30,7 @@
 
 static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span);
 
-/* Is the inner loop's header independent of the outer one's stepped variables? */
+/* Is the inner loop's header independent of the variables that the outer loop steps? */
 static bool has_independent_header(const loop_span *outer, const loop_span *inner) {
     for (unsigned i = 0; i < 3; i++)
         if (span_mentions(outer, inner->loop->children[i]) > 0)
@@ -36,7 +38,8 @@ static bool has_independent_header(const loop_span *outer, const loop_span *inne
     return true;
 }
 
-/* `x[3 * j + c]` in a loop over a constant range of c: its ends are known. */
+/* Is it a loop over a constant range of c that accesses `x[3 * j + c]`? Its first and last rows are
+ * then known. */
 static bool is_vector_loop(const ir_node *loop, const loop_span *inner, const ir_node *row) {
     const ir_variable *counter;
     int64_t first, last;
@@ -44,7 +47,7 @@ static bool is_vector_loop(const ir_node *loop, const loop_span *inner, const ir
            counter == inner->counted.counter && row_steps_with(row, counter);
 }
 
-/* Does a loop of the slice, between the span and the place, also step a variable of the row? */
+/* Does a loop of the slice between the span and the place also step a variable of the row? */
 static bool is_stepped_below(const loop_analysis *j, const loop_span *span, const ir_node *place,
                              const ir_node *row) {
     loop_span inner;
@@ -56,7 +59,7 @@ static bool is_stepped_below(const loop_analysis *j, const loop_span *span, cons
     return false;
 }
 
-/* Is the loop in the slice only because other loops use its counter again? */
+/* Is the loop in the slice only because other loops reuse its counter? */
 static bool is_idle(const loop_analysis *j, const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last;
@@ -71,7 +74,7 @@ static bool is_idle(const loop_analysis *j, const ir_node *loop) {
            counted_constant_sets(j->counted.body, counter);
 }
 
-/* Does the slice have only spans, and no jumps, below the node? */
+/* Does the slice contain nothing below the node but spans, and no jumps? */
 static bool has_only_spans(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];
@@ -93,14 +96,14 @@ static bool records_row(const loop_analysis *j, const loop_span *span, const ir_
            (span_mentions(span, row) == 0 || !is_stepped_below(j, span, place, row));
 }
 
-/* Is `other` another row of the same array? */
+/* Is `other` a different row of the same array? */
 static bool is_another(const ir_node *row, const ir_node *other) {
     return other->kind == IR_INDEX && syntax_same(row->children[0], other->children[0]) &&
            !syntax_same(row->children[1], other->children[1]);
 }
 
-/* Do consecutive iterations of the span access all rows? Other iterations of the analysed loop
- * might update rows in between. */
+/* Do the span's iterations together access all rows of the range? If they skipped some, other
+ * iterations of the analysed loop might update these. */
 static bool has_all_rows(const loop_analysis *j, const loop_span *span, const ir_node *row,
                          bool is_update) {
     int64_t count = 1;
@@ -143,8 +146,9 @@ static bool records_only_spans(const loop_analysis *j, const loop_span *span) {
     return count > 0;
 }
 
-/* Is the statement, declarator or header that contains the expression in the slice? One that was
- * taken out, to be printed elsewhere, has no parent. */
+/* Is the statement, declarator or header that contains the expression in the slice? An expression
+ * without a parent has been removed from the tree and is printed elsewhere; it counts as in the
+ * slice. */
 static bool is_held(const loop_analysis *j, const ir_node *node) {
     while (node && ir_is_expression(node))
         node = node->parent;

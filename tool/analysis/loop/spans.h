@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Inner loops of the slice whose rows are recorded at once. */
+/** Finds spans: inner loops of the slice whose rows are recorded all at once. */
 #ifndef ANALYSIS_SPANS_H
 #define ANALYSIS_SPANS_H
 
@@ -7,7 +7,7 @@
 
 typedef VECTOR(loop_span) span_list;
 
-/** All of them, in source order, each before those inside of it. Requires the slice. */
+/** All spans in source order, outer ones before inner ones. The slice must have been computed. */
 span_list find_spans(const loop_analysis *j);
 
 #endif

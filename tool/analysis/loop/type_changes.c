@@ -4,7 +4,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/own.h"
 
-/* Is the lvalue read whenever the expression is evaluated? */
+/* Does every evaluation of the expression read the lvalue? */
 static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
     if (expression_same(expression, lvalue))
         return true;

@@ -6,7 +6,7 @@
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 
-/* Is it a counter of a called function? It occurs in that function's accesses in the caller's terms
+/* Is the variable a counter of a called function? Accesses that the callee makes may mention it
  * (access.loops). */
 static bool is_of_callee(variable_facts *facts, const ir_node *loop, const ir_variable *variable) {
     const ir_node *outer = variable_fact_of(facts, variable)->declarator;
@@ -75,7 +75,7 @@ static affine_form affine_of_binary(const ir_node *node, affine_form a, affine_f
     case IR_OP_SUBTRACT:
         sum.multiple = a.multiple - b.multiple;
         return sum;
-    default: /* a product */
+    default: /* multiplication */
         if (a_invariant && b_invariant)
             return sum;
         if (expression_constant(node->children[1], &constant) && a.is_known)
@@ -112,7 +112,7 @@ affine_form variation_affine(variable_facts *facts, const ir_node *loop, const i
 
 /* ---- irregular ------------------------------------------------------------------------------ */
 
-enum { DEEPEST = 8 }; /* definitions that are followed */
+enum { DEEPEST = 8 }; /* greatest number of definitions that are followed */
 
 typedef struct regularity {
     variable_facts *facts;
@@ -122,7 +122,7 @@ typedef struct regularity {
 
 static bool is_varying(regularity *r, const ir_node *node);
 
-/* v++, v += c with an invariant c. */
+/* Is the write a step, v++ or v += c with an invariant c? */
 static bool is_step(const regularity *r, const ir_node *write) {
     if (write->kind == IR_UNARY)
         return write->op != IR_OP_ADDRESS;
@@ -137,7 +137,7 @@ static bool is_in_for_header(const ir_node *write) {
     return place->parent && place->parent->kind == IR_FOR && place->parent->children[3] != place;
 }
 
-/* Is the variable a counter: in the loop it is only stepped, or set in the header of a for? */
+/* Is the variable a counter? The loop must only step it, or set it in the header of a for. */
 static bool is_counter(const regularity *r, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(r->facts, variable);
     for (unsigned i = 0; i < fact->writes.count; i++) {
@@ -150,15 +150,15 @@ static bool is_counter(const regularity *r, const ir_variable *variable) {
 
 static bool is_irregular_place(regularity *r, const ir_node *lvalue);
 
-/* The value that a write in the header of a for sets a counter to; NULL: it steps it. */
+/* The value that a write in a for's header gives a counter; NULL if the write is a step. */
 static const ir_node *first_value(const ir_node *write) {
     if (write->kind == IR_DECLARATOR)
         return write->child_count ? write->children[0] : NULL;
     return write->kind == IR_ASSIGN && write->op == IR_OP_NONE ? write->children[1] : NULL;
 }
 
-/* Does the value come from an element that is itself found through a table: start[row[t]]? Not
- * start[t], the beginning of the t-th of consecutive segments. */
+/* Does the value come from an element that is itself found through a table, as in start[row[t]]?
+ * False for start[t], the beginning of the t-th of consecutive segments. */
 static bool is_looked_up(regularity *r, const ir_node *value) {
     if ((value->kind == IR_INDEX || value->kind == IR_MEMBER || value->kind == IR_UNARY) &&
         is_irregular_place(r, value))
@@ -178,7 +178,7 @@ static bool is_looked_up(regularity *r, const ir_node *value) {
     return false;
 }
 
-/* for (k = start[row[t]]; ...): a counter of elements that are found through a table. */
+/* Does the counter begin at a value found through a table, as in for (k = start[row[t]]; ...)? */
 static bool begins_irregularly(regularity *r, const ir_variable *counter) {
     const variable_fact *fact = variable_fact_of(r->facts, counter);
     bool result = false;

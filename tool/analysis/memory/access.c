@@ -18,7 +18,8 @@ void access_problem_add(access_walk *w, reason_id why, const ir_node *node, cons
     VECTOR_PUSH(w->memory, &w->list->problems, problem);
 }
 
-/* Must the object, or a part of it, be accessed exactly as written? */
+/* Is the object, or a part of it, volatile or atomic, so that it must be accessed exactly as
+ * written? */
 static bool has_volatile_part(const ir_type *type) {
     type = ir_type_innermost(type);
     if (type->is_volatile || type->is_atomic)
@@ -30,7 +31,7 @@ static bool has_volatile_part(const ir_type *type) {
     return false;
 }
 
-/* Adds a problem if the lvalue is thread-local, volatile, atomic or in another address space. */
+/* Adds a problem if the lvalue is thread-local, volatile, atomic or in a named address space. */
 static void check_type(access_walk *w, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const char *name = root ? root->name : "?";
@@ -61,7 +62,7 @@ static void add_lvalue(access_walk *w, access_kind kind, const ir_node *lvalue, 
                            .form = form});
 }
 
-/* Adds the accesses that computing an lvalue's address makes: of the pointers and subscripts in
+/* Adds the accesses that computing an lvalue's address makes, to the pointers and subscripts in
  * it. */
 static void walk_address(access_walk *w, const ir_node *node) {
     switch (node->kind) {
@@ -98,8 +99,8 @@ static void walk_address(access_walk *w, const ir_node *node) {
     }
 }
 
-/* Adds the accesses that reading a value makes, without those of `skip`: the target's occurrence in
- * R = R + e. */
+/* Adds the accesses that reading a value makes, except those of `skip`, which is the target's
+ * occurrence in R = R + e. */
 static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *skip) {
     if (node == skip)
         return;
@@ -184,7 +185,7 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     case IR_BREAK:
     case IR_RETURN:
         walk_children(w, node);
-        w->condition_depth++; /* never decreased: the following code may be skipped */
+        w->condition_depth++; /* never decreased, because the code after it may be skipped */
         return;
     case IR_DECLARATOR:
         walk_children(w, node);
@@ -196,7 +197,8 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     }
 }
 
-/* f().x: a part of a temporary value, which is not in an addressable object. */
+/* Is it a member of a function's result, as in f().x? That is a temporary value, not an addressable
+ * object. */
 static bool is_part_of_value(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = node->children[0];
@@ -207,19 +209,21 @@ bool access_is_assertion(const ir_function *function) {
     return function->is_noreturn && strncmp(function->name, "__assert", 8) == 0;
 }
 
-/* With gcc's extensions glibc's assert is a statement expression. */
+/* Does the node name the function that a failed assertion calls? With gcc's extensions, glibc's
+ * assert is a statement expression. */
 static bool names_assertion(const ir_node *node) {
     return node->kind == IR_FUNCTION && access_is_assertion(node->function);
 }
 
-/* In a called function: unless it fails, only its condition is evaluated. */
+/* Handles an assertion in a called function: only its condition is evaluated, unless it fails.
+ * Returns false if the node is no such assertion. */
 static bool walk_assertion(access_walk *w, const ir_node *node) {
     const ir_node *condition = w->in_callee ? assertion_condition(node) : NULL;
     if (!condition)
         return false;
     access_walk_node(w, condition);
     VECTOR_PUSH(w->memory, &w->list->ends, node);
-    w->condition_depth++; /* never decreased: what follows is skipped if it fails */
+    w->condition_depth++; /* never decreased: a failure skips what follows */
     return true;
 }
 
@@ -283,7 +287,7 @@ static bool is_inside(const ir_node *subscript, const ir_type *array) {
            high < array->count;
 }
 
-/* Is it an element, *p, or a member of these, and not a whole object? */
+/* Is the lvalue an element or a pointer's target, or a member of one, and not a whole variable? */
 static bool is_selected(const ir_node *lvalue) {
     while (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW))
         lvalue = lvalue->children[0];

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Memory accesses of a piece of program: a list in the order of evaluation. Calls are replaced by
- * the accesses of their functions (summaries, computed once per function).
- */
+/** Lists the memory accesses of a piece of a program in the order of evaluation. A call is replaced
+ *  by the accesses of the called function (its summary, which is computed once per function). */
 #ifndef ANALYSIS_ACCESS_H
 #define ANALYSIS_ACCESS_H
 
@@ -13,27 +11,35 @@ typedef enum access_kind { ACCESS_READ, ACCESS_WRITE, ACCESS_UPDATE } access_kin
 
 typedef struct access {
     access_kind kind;
-    const ir_node *lvalue; /* in the terms of the analysed function; NULL: any memory */
-    bool is_exact; /* lvalue can be spelled before the statement, and its bytes are all that is
-                    * accessed; else only its base is known */
-    const ir_type *type; /* of the values accessed */
-    bool is_presumed; /* the user, or another file's analysis, asserts that it is disjoint from the
-                       * arrays that the loop accumulates into */
-    bool is_conditional; /* not executed each time the piece is */
-    bool is_behind;      /* a condition of the callee decides whether it is made or, with loops, in
-                          * which of their iterations */
-    unsigned loop_count; /* of the callee's loops: the lvalue denotes one element per iteration */
-    const source_loop *loops;  /* outermost first. Bounds and lvalue can be computed in all
-                                * iterations whenever the call is executed */
-    const ir_node *node;       /* the expression: access, or call */
-    const ir_function *callee; /* the function that makes the access; NULL: the text itself */
-    update_form form;          /* ACCESS_UPDATE in the text itself */
-    const ir_node *from; /* of a search (search.h): the first element that it reads; NULL: none */
-    const ir_node *to;   /* of a search: the last one, whose subscript is the call's result */
-    const element_bounds *bounds; /* not is_exact: the accessed elements are among these; or NULL */
+    const ir_node *lvalue; /* the accessed lvalue, expressed by the variables of the analysed
+                            * function; NULL if any memory may be accessed */
+    bool is_exact; /* the lvalue can be spelled before the statement, and exactly its bytes are
+                    * accessed. Otherwise only its base is known */
+    const ir_type *type; /* type of the accessed values */
+    bool is_presumed;    /* the user, or the analysis of another file, asserts that the access does
+                          * not touch the arrays that the loop accumulates into */
+    bool is_conditional; /* not made each time the piece of program is executed */
+    bool is_behind;      /* a condition in the callee decides whether the access is made, or in
+                          * which iterations of `loops` */
+    unsigned loop_count; /* number of the callee's loops around it; the lvalue denotes one element
+                          * per iteration */
+    const source_loop *loops;  /* these loops, the outermost first. Their bounds and the lvalue
+                                * can be computed for all iterations whenever the call is
+                                * executed */
+    const ir_node *node;       /* the expression that makes the access, or the call of a function
+                                * that does */
+    const ir_function *callee; /* the function that makes the access; NULL if the analysed text
+                                * itself does */
+    update_form form;          /* for an ACCESS_UPDATE in the analysed text itself */
+    const ir_node *from;       /* for a linear search (search.h): the first element that it reads;
+                                * otherwise NULL */
+    const ir_node *to; /* for a linear search: the last element that it reads, whose subscript
+                        * is the call's result */
+    const element_bounds *bounds; /* if not is_exact: bounds between which the accessed elements
+                                   * lie; NULL if unknown */
 } access;
 
-/** A construct that prevents any assumption. */
+/** A construct that prevents any assumption about the piece of program. */
 typedef struct access_problem {
     reason_id why;
     const ir_node *node;
@@ -43,14 +49,16 @@ typedef struct access_problem {
 typedef struct access_list {
     VECTOR(access) items;
     VECTOR(access_problem) problems;
-    bool has_floating_work;     /* floating-point arithmetic is done, here or in callees */
-    bool has_unrepeatable_work; /* a call that a second call may not reproduce bit for bit: its
-                                 * function has no body here, approximates, or has attributes */
-    bool may_set_errno;         /* a mathematical function that sets errno is called */
+    bool has_floating_work;     /* the piece, or a function it calls, does floating-point
+                                 * arithmetic */
+    bool has_unrepeatable_work; /* it contains a call that may give other bits when repeated: the
+                                 * function has no body here, is an approximation, or has
+                                 * attributes */
+    bool may_set_errno;         /* it calls a mathematical function that sets errno */
     const char *errno_setter;
     VECTOR(const ir_node *)
-    ends; /* assertions in a called function, or calls of functions that
-           * may end the program by an assertion */
+    ends; /* assertions in called functions, or calls of functions that may end the program by an
+           * assertion */
 } access_list;
 
 typedef struct effects effects; /* the summaries of all functions of a unit */
@@ -58,19 +66,19 @@ typedef struct effects effects; /* the summaries of all functions of a unit */
 effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
                      variable_facts *facts);
 
-/** Appends all accesses of executing `node` (statement or expression) once. */
+/** Appends all accesses that one execution of `node` (a statement or an expression) makes. */
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
-/** A function's summary: accesses other than to local variables, in terms of its parameters and
- *  globals. NULL: the function is recursive. */
+/** The function's summary: its accesses, other than those of its local variables, expressed by its
+ *  parameters and globals. NULL if the function is recursive. */
 const access_list *effects_of(effects *all, const ir_function *function);
 
-/** The part of an lvalue whose address determines the range of all of it: trailing subscripts that
- *  are proved to stay inside their array types are dropped. */
+/** The part of an lvalue whose address determines the range of the whole lvalue: trailing
+ *  subscripts that are proved to stay inside their array types are dropped. */
 const ir_node *access_row(const ir_node *lvalue);
 
-/** The same for reads, possibly the whole array: it contains the bytes read, for any values of the
- *  dropped subscripts. */
+/** Same as access_row, for reads. The result may be a whole array. It contains the bytes that are
+ *  read, whatever the dropped subscripts are. */
 const ir_node *access_extent(const ir_node *lvalue);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The traversal of expressions and statements in the order of evaluation; results go to an
- *  access_list, calls are looked up in the effects. Internal to access.h. */
+/** Traverses expressions and statements in the order of evaluation and appends their accesses to an
+ *  access_list. Calls are looked up in the effects. Only the implementation of access.h uses this
+ *  header. */
 #ifndef ANALYSIS_ACCESS_WALK_H
 #define ANALYSIS_ACCESS_WALK_H
 
@@ -10,17 +11,19 @@ typedef struct access_walk {
     arena *memory;
     effects *all;
     access_list *list;
-    unsigned condition_depth; /* > 0: the following code is not executed on all paths */
-    bool in_callee;           /* the code is a called function's: an `assert` is added to
-                               * list->ends, not to the problems */
+    unsigned condition_depth; /* if > 0, the code that follows is not executed on all paths */
+    bool in_callee;           /* the code belongs to a called function, so an `assert` is added to
+                               * list->ends and not to the problems */
 } access_walk;
 
 void access_walk_node(access_walk *w, const ir_node *node);
 
-/** Appends the accesses of the call: its function's summary in the caller's terms. */
+/** Appends the accesses of the call: the function's summary, expressed by the caller's
+ *  variables. */
 void access_walk_call(access_walk *w, const ir_node *call);
 
-/** Is it the function that a C library's `assert` calls on failure? Messages say `assert`. */
+/** Is it the function that a C library's `assert` calls when it fails? Messages name it
+ *  `assert`. */
 bool access_is_assertion(const ir_function *function);
 
 void access_add(access_walk *w, access item);

@@ -42,8 +42,8 @@ bool types_may_overlap(const ir_type *a, const ir_type *b) {
     }
 }
 
-/* An array of length 0 or of unknown length: its elements overlap other declarations, or lie
- * outside of them. */
+/* Does the type contain an array of length 0 or of unknown length? Its elements overlap members
+ * declared after it, or lie outside of the object. */
 static bool is_open(const ir_type *type) {
     for (; type->kind == IR_ARRAY; type = type->target)
         if (type->count <= 0)
@@ -63,9 +63,9 @@ static bool disjoint_in_record(const ir_field *a, const ir_field *b) {
            !(is_open(b->type) && a->offset >= b->offset);
 }
 
-/* Are these different fields of one record, before the two paths differ in another way? Subscripts
- * before the fields do not matter: in one element the fields are disjoint, and different elements
- * are disjoint anyway. */
+/* Do the two paths first differ in naming different fields of one record? Subscripts before the
+ * fields do not matter: inside one element the fields are disjoint, and different elements are
+ * disjoint anyway. */
 static bool fields_are_disjoint(const location *a, const location *b) {
     unsigned count = a->step_count < b->step_count ? a->step_count : b->step_count;
     for (unsigned i = 0; i < count; i++) {
@@ -83,7 +83,8 @@ static bool fields_are_disjoint(const location *a, const location *b) {
     return false;
 }
 
-/* p->x and q->y, with p and q of one record type: disjoint for any targets. */
+/* Are these p->x and q->y with p and q pointing to the same record type? Then they are disjoint,
+ * whatever p and q point to. */
 static bool pointed_fields_are_disjoint(const location *a, const location *b) {
     if (a->is_punned || b->is_punned || !a->pointer || !b->pointer)
         return false;
@@ -94,20 +95,22 @@ static bool pointed_fields_are_disjoint(const location *a, const location *b) {
     return same_records && fields_are_disjoint(a, b);
 }
 
-/* Can a pointer found at `other` lead into the named object? */
+/* Can the pointer behind `other` point into the named object? */
 static bool is_reachable(const alias_rules *rules, const ir_variable *object,
                          const location *other) {
-    /* Initialisers at file scope are not in the IR: a static object's address may be anywhere. */
+    /* Initialisers at file scope are not in the IR, so the address of a static object may be
+     * anywhere. */
     if (!variable_is_automatic(object))
         return true;
-    /* A pointer of unknown origin may point to any object whose address was ever taken. */
+    /* A pointer of unknown origin may point to any object whose address has been taken. */
     if (!other->pointer)
         return variable_is_exposed(rules->facts, object);
     return variable_escapes(rules->facts, object);
 }
 
-/* A restrict pointer is exclusive while its block is executed (C17 6.7.3.1p2): if the body declares
- * it, for an iteration. */
+/* Does the pointer's restrict qualifier hold only within one iteration? It holds during an
+ * execution of the block that declares the pointer (C17 6.7.3.1p2), and this block is in the loop's
+ * body. */
 static bool promises_for_one_iteration(const alias_rules *rules, const ir_variable *pointer) {
     const ir_node *declarator = variable_fact_of(rules->facts, pointer)->declarator;
     return rules->loop && declarator && ir_contains(rules->loop, declarator);
@@ -131,13 +134,15 @@ static bool restrict_separates(const alias_rules *rules, const location *a, cons
     return (x && b->object) || (y && a->object);
 }
 
-/* An object defined const: any write to it is undefined (C17 6.7.3p7), through any pointer. */
+/* Is the location an object that is defined const? Any write to it is undefined, through any
+ * pointer (C17 6.7.3p7). */
 static bool is_constant(const location *l) {
     const ir_type *type = l->object ? ir_type_innermost(l->object->type) : NULL;
     return type && (type->is_const || l->object->type->is_const) && !type->is_volatile;
 }
 
-/* `types_hold`: neither access gives the memory another effective type before the other is made. */
+/* Compares the locations. `types_hold` says that neither access may give the memory another
+ * effective type before the other is made. */
 static overlap compare(const alias_rules *rules, const location *a, const location *b,
                        bool types_hold) {
     if (a->is_string || b->is_string || a->is_of_locale || b->is_of_locale || is_constant(a) ||

@@ -7,7 +7,7 @@
 
 /* ---- leaving a loop -------------------------------------------------------------------------- */
 
-/* Is there a `continue` before `node`, which may skip it? */
+/* Does `part` contain a `continue` before `node`, which may skip it? */
 static bool continues_before(const ir_node *part, const ir_node *node) {
     if (part->kind == IR_CONTINUE)
         return part->id < node->id;
@@ -57,7 +57,7 @@ callee_loops callee_loops_around(const ir_function *function, const ir_node *nod
     for (ir_node *outer = node->parent; outer; child = outer, outer = outer->parent)
         if (outer->kind == IR_FOR && ir_loop_body(outer) == child)
             take_loop(&loops, outer);
-    /* a jump may lead into a loop, or skip the assignment of a variable */
+    /* a jump may lead into a loop, or skip an assignment */
     if (child != function->body || ir_has_kind(function->body, IR_LABEL) ||
         ir_has_kind(function->body, IR_GOTO) || ir_has_kind(function->body, IR_OPAQUE))
         loops.are_known = false;
@@ -94,7 +94,7 @@ static bool is_one_of(const callee_loops *loops, const ir_node *loop) {
     return false;
 }
 
-/* Are all counted iterations of the loop executed, each of them as far as `node`? */
+/* Does each counted iteration of the loop happen and reach `node`? */
 static bool reaches_in_all_iterations(const callee_loops *loops, const ir_node *loop,
                                       const ir_node *node) {
     const ir_variable *counter;
@@ -103,7 +103,7 @@ static bool reaches_in_all_iterations(const callee_loops *loops, const ir_node *
            !ir_leaves_loop(ir_loop_body(loop)) && !continues_before(ir_loop_body(loop), node);
 }
 
-/* Is this part evaluated whenever the parent is? */
+/* Is this part evaluated whenever its parent is? */
 static bool is_certain_part(const callee_loops *loops, const ir_node *parent, const ir_node *part,
                             const ir_node *node) {
     switch (parent->kind) {
@@ -146,7 +146,8 @@ bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node) {
 
 /* ---- variables set once ---------------------------------------------------------------------- */
 
-/* The statement or declaration around `place`, if it is directly in a block; or NULL. */
+/* The statement or declaration that contains `place`, if it is directly in a block; otherwise
+ * NULL. */
 static const ir_node *statement_in_block(const ir_node *place) {
     const ir_node *statement = place->parent;
     return statement && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATION) &&

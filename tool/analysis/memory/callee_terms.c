@@ -11,7 +11,8 @@
 
 /* ---- lvalues --------------------------------------------------------------------------------- */
 
-/* a[k] behind a pointer, k in [0, high]: the array *(T (*)[high + 1])a. */
+/* For a[k] with a pointer a and k in [0, high]: the array *(T (*)[high + 1])a. NULL if C cannot
+ * spell it. */
 static ir_node *widened(callee_rewriting *r, const ir_node *lvalue, int64_t high) {
     arena *a = r->terms->memory;
     const ir_type *element = lvalue->type;
@@ -55,7 +56,8 @@ static ir_node *rewrite_lvalue(callee_rewriting *r, const ir_node *lvalue) {
     return callee_rewrite(r, row);
 }
 
-/* The first element that a search reads, in terms of the parameters; NULL: it is no search. */
+/* The first element that a linear search reads, expressed by the parameters; NULL if the access is
+ * no search. */
 static const ir_node *search_element(callee_rewriting *r) {
     const access *item = r->item;
     const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
@@ -82,9 +84,9 @@ static const ir_node *search_element(callee_rewriting *r) {
 
 typedef VECTOR(source_loop) loop_list;
 
-/* Adds the loops of this function that the rewritten row depends on, or whose trip count decides
- * whether it is read at all; outermost first. False: the bounds of one are not certain to be
- * evaluated. */
+/* Adds those loops of this function on which the rewritten row depends, or whose trip count decides
+ * whether it is read at all; the outermost first. Returns false if the bounds of one are not
+ * certain to be evaluated. */
 static bool add_own_loops(callee_rewriting *r, loop_list *list) {
     source_loop found[CALLEE_MOST_LOOPS];
     unsigned count = 0;
@@ -110,8 +112,8 @@ static bool add_own_loops(callee_rewriting *r, loop_list *list) {
     return true;
 }
 
-/* Adds the loops of the called function that makes the access, with bounds in its caller's terms.
- */
+/* Adds the loops of the called function that makes the access, with bounds expressed by this
+ * function's variables. */
 static void add_callee_loops(callee_rewriting *r, loop_list *list) {
     r->site = r->item->node;
     for (unsigned i = 0; i < r->item->loop_count; i++) {
@@ -122,8 +124,8 @@ static void add_callee_loops(callee_rewriting *r, loop_list *list) {
     }
 }
 
-/* Can the loops' rows be recorded? A loop that may end early must be the innermost one, and access
- * consecutive elements: they are recorded as one range, and the function reads its beginning. */
+/* Can the rows of the loops be recorded? A loop that may end early must be the innermost and access
+ * consecutive elements. These are recorded as one range; the function reads its beginning. */
 static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&
@@ -132,8 +134,9 @@ static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     return true;
 }
 
-/* Sets *result to the access with the loops around it; false: they are unknown. An element that is
- * not read in each iteration is recorded, too, if all expressions in it are evaluated anyway. */
+/* Stores in *result the access with the loops around it; returns false if they are unknown. An
+ * element that is not read in every iteration is recorded too, if all expressions in it are
+ * evaluated anyway. */
 static bool access_with_loops(const callee_terms *terms, const access *item, bool follows_changes,
                               access *result) {
     callee_loops loops = callee_loops_around(terms->function, item->node);
@@ -190,7 +193,7 @@ static bool take_conditions(callee_rewriting *r, element_bounds *all, const ir_n
     return r->is_exact;
 }
 
-/* The bounds of a called function's access, in this function's terms. */
+/* Expresses the bounds of a called function's access by this function's variables. */
 static bool take_bounds_of_callee(callee_rewriting *r, const element_bounds *theirs,
                                   element_bounds *all) {
     all->base = callee_rewrite(r, theirs->base);
@@ -215,7 +218,7 @@ static bool take_own_bounds(callee_rewriting *r, element_bounds *all) {
            take_conditions(r, all, conditions.value, conditions.count);
 }
 
-/* The bounds of the elements that the access may read; NULL: unknown. */
+/* The bounds of the elements that the access may read; NULL if they are unknown. */
 static const element_bounds *bounds_in_terms(const callee_terms *terms, const access *item) {
     callee_rewriting r = {.terms = terms, .item = item, .is_exact = true, .loads_stay = true};
     element_bounds *all = ARENA_NEW(terms->memory, element_bounds);
@@ -226,7 +229,7 @@ static const element_bounds *bounds_in_terms(const callee_terms *terms, const ac
     return is_known && r.is_exact ? all : NULL;
 }
 
-/* The access if its address is exact in these terms. */
+/* Expresses the access in *result. Returns true if its address is exact. */
 static bool exact_terms(const callee_terms *terms, const access *item, bool follows_changes,
                         access *result) {
     callee_rewriting r = {.terms = terms,
@@ -251,7 +254,8 @@ access callee_terms_of(const callee_terms *terms, const access *item) {
     callee_rewriting r = {.terms = terms, .item = item};
     result.from = search_element(&r);
     result.bounds = result.from ? NULL : bounds_in_terms(terms, item);
-    /* bounds first: with them, no iteration has to repeat the subscript's computation */
+    /* bounds are preferred: with them, no iteration has to repeat the computation of the
+     * subscript */
     if (item->kind == ACCESS_READ && !result.from && !result.bounds &&
         exact_terms(terms, item, true, &followed))
         return followed;

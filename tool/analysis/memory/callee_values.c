@@ -6,7 +6,12 @@
 #include "analysis/memory/last_change.h"
 #include "ir/ir_words.h"
 
-enum { MOST_DEPTH = 8, MOST_NODES = 200 }; /* of the values that replace variables */
+enum {
+    MOST_DEPTH = 8,
+    MOST_NODES = 200
+}; /* greatest depth of nested replacements of variables
+    * by values, and greatest number of nodes in a
+    * result */
 
 static ir_node *unknown_part(callee_rewriting *r, const ir_node *node) {
     ir_node *unknown = ir_new(r->terms->memory, IR_OPAQUE, node->type, 0);
@@ -18,7 +23,8 @@ static ir_node *unknown_part(callee_rewriting *r, const ir_node *node) {
 
 /* ---- loads ----------------------------------------------------------------------------------- */
 
-/* May the function itself change memory that this address computation reads? */
+/* Is the load's value constant while the function runs, because the function itself does not write
+ * memory that the load reads? */
 static bool is_stable(const callee_rewriting *r, const ir_node *load) {
     for (unsigned i = 0; i < r->terms->raw->items.count; i++) {
         const access *store = &r->terms->raw->items.items[i];
@@ -31,12 +37,13 @@ static bool is_stable(const callee_rewriting *r, const ir_node *load) {
     return true;
 }
 
-/* Does the node belong to this function's text, not to the access of another function? */
+/* Does the node belong to the text of this function, and not to another function's access? */
 static bool is_of_text(const callee_rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
 
-/* Is each variable in it an unchanged parameter, or the counter of a loop around both nodes? */
+/* Does the expression have the same value at both nodes? Each local variable in it must be an
+ * unchanged parameter, or the counter of a loop around both. */
 static bool has_one_value(const callee_rewriting *r, const ir_node *node, const ir_node *first,
                           const ir_node *second) {
     if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {
@@ -57,8 +64,7 @@ static bool is_member_of(const ir_node *lvalue, const ir_node *pointer) {
 }
 
 /* Is memory at the load's address certain to be read, by this load or an equal one? A certain read
- * of another member of the same object counts as well, because it shows that the pointer is
- * valid. */
+ * of another member of the same object suffices, because it shows that the pointer is valid. */
 static bool is_certain_load(const callee_rewriting *r, const ir_node *load) {
     if (callee_loops_is_certain(r->loops, load))
         return true;
@@ -84,7 +90,7 @@ static void note_load(callee_rewriting *r, const ir_node *load) {
         return;
     if (is_of_text(r, load))
         r->loads_are_certain &= is_certain_load(r, load);
-    else /* a called function makes it, whenever it is called or in its loops */
+    else /* a called function loads it, whenever it is called or in its loops */
         r->loads_are_certain &= callee_loops_is_certain(r->loops, r->item->node) &&
                                 (r->item->loop_count || !r->item->is_conditional);
 }
@@ -95,7 +101,7 @@ ir_node *callee_rewrite_value(callee_rewriting *r, const ir_node *node) {
     return callee_rewrite(r, node);
 }
 
-/* The value converted to the type, as by an assignment to a variable. */
+/* The value converted to the type, as an assignment to a variable would convert it. */
 static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
     if (!value->type || ir_type_equal(value->type, type) || !ir_type_is_scalar(type) ||
         type->kind == IR_POINTER)
@@ -111,7 +117,7 @@ static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
 
 static ir_node *value_before(callee_rewriting *r, const ir_node *node, const ir_node *site);
 
-/* value <op> operand, in the type in which C computes it. */
+/* value <op> operand, with the type that C gives the result. */
 static ir_node *operation(callee_rewriting *r, ir_operator op, ir_node *value, ir_node *operand) {
     arena *a = r->terms->memory;
     ir_node *result = ir_new(a, IR_BINARY, NULL, 2);
@@ -123,7 +129,8 @@ static ir_node *operation(callee_rewriting *r, ir_operator op, ir_node *value, i
     const ir_type *type = ir_infer_type(a, result);
     for (unsigned i = 0; type && i < 2 && !result->type; i++)
         if (ir_type_equal(result->children[i]->type, type))
-            result->type = result->children[i]->type; /* with its flags */
+            result->type = result->children[i]->type; /* reused because it has the type's other
+                                                       * properties, such as wraps */
     if (!result->type)
         result = unknown_part(r, value);
     return result;
@@ -140,7 +147,7 @@ static ir_node *one(callee_rewriting *r, const ir_node *change) {
     return number;
 }
 
-/* The value that a declarator, an assignment or an increment gives to the variable. */
+/* The value that a declarator, an assignment or an increment gives the variable. */
 static ir_node *value_given(callee_rewriting *r, const ir_node *node, const ir_node *change) {
     const ir_node *site = r->site;
     ir_node *value;
@@ -160,7 +167,7 @@ static ir_node *value_given(callee_rewriting *r, const ir_node *node, const ir_n
 
 static ir_node *value_after(callee_rewriting *r, const ir_node *node, last_change change);
 
-/* condition ? value : value, after an `if` that may change the variable. */
+/* The variable's value after an `if` that may change it: condition ? value : value. */
 static ir_node *value_of_branches(callee_rewriting *r, const ir_node *node,
                                   const ir_node *branches) {
     ir_node *choice = ir_new(r->terms->memory, IR_CONDITIONAL, node->variable->type, 3);
@@ -191,7 +198,7 @@ static ir_node *value_after(callee_rewriting *r, const ir_node *node, last_chang
     return value;
 }
 
-/* The value of a variable, named by `node`, at a place of the function. */
+/* The value at `site` of the variable that `node` names. */
 static ir_node *value_before(callee_rewriting *r, const ir_node *node, const ir_node *site) {
     const ir_variable *variable = node->variable;
     const ir_type *type = variable->type;

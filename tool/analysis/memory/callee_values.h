@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Values of a function's text in terms of its parameters and of the file's objects: what its local
- *  variables and changed parameters stand for at a place. */
+/** Expresses values in a function's text by its parameters and the file's objects. Local variables
+ *  and changed parameters are replaced by the values that they have at a place. */
 #ifndef ANALYSIS_CALLEE_VALUES_H
 #define ANALYSIS_CALLEE_VALUES_H
 
@@ -10,22 +10,26 @@
 typedef struct callee_rewriting {
     const callee_terms *terms;
     const access *item;
-    callee_loops *loops; /* NULL: counters have no meaning */
-    const ir_node *site; /* the place of evaluation in the function's text; NULL: it may be another
-                          * iteration's value */
+    callee_loops *loops; /* the loops around the access; NULL if counters must not occur in the
+                          * result */
+    const ir_node *site; /* the place of evaluation in the function's text; NULL if the value may
+                          * be that of another iteration */
     bool is_exact;
-    bool loads_stay;        /* what is read here is not written while the caller's loop runs */
-    bool has_load;          /* an address depends on loads */
-    bool loads_are_certain; /* all of them are made whenever the function is called */
-    bool follows_changes;   /* variables set several times, too, are replaced by their values */
+    bool loads_stay;        /* memory that is read here is not written while the caller's loop
+                             * runs */
+    bool has_load;          /* an address depends on a load */
+    bool loads_are_certain; /* all these loads happen whenever the function is called */
+    bool follows_changes;   /* variables that are set several times are replaced by their values
+                             * too */
     unsigned depth, nodes;
 } callee_rewriting;
 
-/** A copy of an address, or of an operand of one, in these terms; clears is_exact where a part is
- *  unknown. */
+/** A copy of an address, or of an operand of one, expressed by the parameters and the file's
+ *  objects. Clears is_exact if a part is unknown. */
 ir_node *callee_rewrite(callee_rewriting *r, const ir_node *node);
 
-/** The same for a value: reading it counts as a load on the way to an address. */
+/** Same as callee_rewrite, for a value. Reading the value counts as a load on which the address
+ *  depends. */
 ir_node *callee_rewrite_value(callee_rewriting *r, const ir_node *node);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One summary per function, bottom-up: its accesses other than to local variables. */
+/* Computes one summary per function, callees first: the function's accesses other than those of its
+ * local variables. */
 #include <assert.h>
 #include <string.h>
 
@@ -21,11 +22,14 @@ struct effects {
     const ir_unit *unit;
     const analysis_options *options;
     variable_facts *facts;
-    summary *summaries; /* by function id */
+    summary *summaries; /* indexed by function id */
     const hidden_names *names;
 };
 
-enum { SUMMARY_LIMIT = 4000 }; /* accesses; larger functions are not followed */
+enum {
+    SUMMARY_LIMIT = 4000
+}; /* greatest number of accesses; calls of functions with more are
+    * refused */
 
 effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
                      variable_facts *facts) {
@@ -43,7 +47,8 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
     return all;
 }
 
-/* a[call]: a search returns the subscript of the last element that it reads. */
+/* The element a[call] for the call of a linear search, which returns the subscript of the last
+ * element that it reads. */
 static const ir_node *found_element(arena *a, const ir_node *from, const ir_node *call) {
     ir_node *element = ir_substitute(a, from, NULL, NULL);
     element->children[1] = ir_substitute(a, call, NULL, NULL);
@@ -137,7 +142,8 @@ static bool is_pure(const effects *all, const ir_function *function) {
     return function->is_attribute_pure || external_kind(all->options, function) == EXPORTED_PURE;
 }
 
-/* Asserted by the user, or shown by another file: it reads only the targets of its arguments. */
+/* Does the function only read the targets of its arguments, according to the user or to the
+ * analysis of another file? */
 static bool is_presumed_pure(const effects *all, const ir_function *function) {
     if (external_kind(all->options, function) == EXPORTED_ARGUMENTS)
         return true;
@@ -160,13 +166,13 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
                            .is_presumed = is_presumed});
 }
 
-/* Adds the reads of a call without side effects: according to an attribute, the user's assertion,
- * or the analysis of another file. */
+/* Adds the reads of a call without side effects. An attribute, the user (`by_user`) or the analysis
+ * of another file states that it has none. */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
     if (library_is_locale_table(call))
         return;
-    /* the body in another file was analysed */
+    /* another file defines the function, and its body was analysed there */
     const bool is_seen = external_kind(w->all->options, function) != EXPORTED_NOTHING;
     if (!by_user && !is_seen && library_depends_on_thread(function)) {
         const bool is_errno = strcmp(function->name, "__errno_location") == 0;
@@ -204,7 +210,8 @@ static bool walk_memory_call(access_walk *w, const ir_node *call) {
     return true;
 }
 
-/* Are all globals in it declared before the call? */
+/* Are all globals in the lvalue declared before the call, so that the text at the call can name
+ * them? */
 static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
     const ir_declared *declared = lvalue->kind == IR_VARIABLE ? lvalue->variable->declared : NULL;
     if (declared && !declared->file && declared->offset > call->range.begin &&
@@ -216,8 +223,8 @@ static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
     return true;
 }
 
-/* The access's loops with the arguments in their bounds. Clears is_exact if these cannot be spelled
- * in the caller. */
+/* The access's loops with the call's arguments substituted in their bounds. Clears is_exact if a
+ * bound has side effects, or a global in it is not declared before the call. */
 static const source_loop *loops_for_caller(access_walk *w, access *item, const ir_node *call) {
     const ir_function *function = call->children[0]->function;
     source_loop *loops = ARENA_ARRAY(w->memory, source_loop, item->loop_count);
@@ -232,7 +239,8 @@ static const source_loop *loops_for_caller(access_walk *w, access *item, const i
     return loops;
 }
 
-/* The bounds with the arguments in them; NULL: they cannot be spelled in the caller. */
+/* The bounds with the call's arguments substituted. NULL if one of them has side effects, or a
+ * global in it is not declared before the call. */
 static const element_bounds *bounds_for_caller(access_walk *w, const element_bounds *of,
                                                const ir_node *call) {
     const ir_function *function = call->children[0]->function;
@@ -292,7 +300,7 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
     }
     if (known->ends.count) {
         VECTOR_PUSH(all->memory, &w->list->ends, call);
-        w->condition_depth++; /* never decreased: the following code may not be executed */
+        w->condition_depth++; /* never decreased, because the code after it may not be executed */
     }
 }
 
@@ -320,14 +328,16 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     const char *openmp = NULL;
     bool by_user = is_presumed_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
-    if (library_is_message_passing(function)) { /* overrides other assertions */
+    if (library_is_message_passing(function)) { /* takes precedence over what attributes and the
+                                                 * user state */
         access_problem_add(w, REASON_MESSAGE_PASSING, call, function->name);
     } else if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
     } else if (function->body && (openmp = text_openmp_in(w->memory, w->all->unit, function))) {
         access_problem_add(w, REASON_EXISTING_OPENMP, call,
-                           arena_format(w->memory, "'%s'", openmp)); /* another team of threads */
+                           arena_format(w->memory, "'%s'", openmp)); /* the function would start
+                                                                      * another team of threads */
     } else if (function->body && !function->linkage.is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)

@@ -17,8 +17,8 @@ const char *exported_word(exported_kind kind) {
     return words[kind];
 }
 
-/* Is the text between the function's begin and its body that of a plain definition? `inline` ones
- * may have another definition elsewhere. */
+/* Is it a plain definition, without `inline` before its body? An inline function may have another
+ * definition elsewhere. */
 static bool is_plain_definition(const ir_unit *unit, const ir_function *function) {
     const source *s = unit->source;
     const ir_range head = {function->range.begin, function->body->range.begin};
@@ -30,7 +30,8 @@ static bool is_plain_definition(const ir_unit *unit, const ir_function *function
     return true;
 }
 
-/* #pragma weak and the like may make any definition one of several. */
+/* Does the file contain a pragma, such as #pragma weak, by which another definition may replace one
+ * of its functions? */
 static bool has_linkage_pragma(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -54,7 +55,7 @@ bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *functio
            !text_openmp_in(a, unit, function);
 }
 
-/* Is the accessed memory the target of a pointer argument, reached through no other pointer? */
+/* Is the accessed memory the target of a pointer parameter, reached through no other pointer? */
 static bool is_of_argument(const access *item) {
     const ir_node *lvalue = item->lvalue;
     while (lvalue && lvalue->kind != IR_VARIABLE) {

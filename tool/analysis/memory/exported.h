@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Facts that a file exports about its functions: summaries that one word expresses. */
+/** Computes summaries of a file's functions for other files. Each fits into one word. */
 #ifndef ANALYSIS_EXPORTED_H
 #define ANALYSIS_EXPORTED_H
 
 #include "analysis/base/facts.h"
 
-/** "const", "pure of its arguments", "pure"; NULL for EXPORTED_NOTHING. */
+/** "const", "pure of its arguments" or "pure"; NULL for EXPORTED_NOTHING. */
 const char *exported_word(exported_kind kind);
 
-/**
- * May other files of the program adopt this definition? It must have external linkage, none of the
- * properties that callers in other files cannot see, and a text that determines the compiled code.
- */
+/** May other files of the program adopt this definition? It must have external linkage and no
+ *  property that callers in other files cannot see, and its text must determine the compiled
+ *  code. */
 bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *function);
 
 typedef struct exported_function {
@@ -25,7 +24,7 @@ typedef struct exported_functions {
                                      * defines, except weak ones */
 } exported_functions;
 
-/** All results are allocated in the arena. */
+/** The exported functions of the unit. All results are allocated in the arena. */
 exported_functions exported_of_unit(arena *a, const ir_unit *unit, const analysis_options *options);
 
 #endif

@@ -8,7 +8,7 @@
 
 struct hidden_names {
     const ir_unit *unit;
-    const char **names; /* of all functions' local variables, sorted */
+    const char **names; /* names of all functions' local variables, sorted */
     unsigned count;
 };
 

@@ -6,8 +6,8 @@
 static const last_change unknown = {CHANGE_UNKNOWN, NULL};
 static const last_change none = {CHANGE_NONE, NULL};
 
-/* The only change in an expression statement or a declaration; NULL: there are several, or it is a
- * part of an expression. */
+/* The only change of the variable in an expression statement or a declaration. NULL if there are
+ * several, or if the change is a part of a larger expression. */
 static const ir_node *single_change(variable_facts *facts, const ir_variable *variable,
                                     const ir_node *statement) {
     const ir_node *change = NULL;
@@ -34,7 +34,7 @@ static const ir_node *single_change(variable_facts *facts, const ir_variable *va
 
 last_change last_change_in(variable_facts *facts, const ir_variable *variable,
                            const ir_node *branch) {
-    if (ir_holds_case(branch)) /* a jump may pass by the change */
+    if (ir_holds_case(branch)) /* a jump to the case may skip the change */
         return unknown;
     if (!variable_written_in(facts, branch, variable))
         return none;
@@ -50,7 +50,7 @@ last_change last_change_in(variable_facts *facts, const ir_variable *variable,
     return change ? (last_change){CHANGE_SET, change} : unknown;
 }
 
-/* The last change in the block before one of its statements. */
+/* The last change before `statement` in the block that contains it. */
 static last_change change_above(variable_facts *facts, const ir_variable *variable,
                                 const ir_node *statement) {
     const ir_node *block = statement->parent;
@@ -65,7 +65,8 @@ static last_change change_above(variable_facts *facts, const ir_variable *variab
     return none;
 }
 
-/* The last change in the statement itself before the site; CHANGE_NONE if the site comes first. */
+/* The last change in the statement itself before the site. CHANGE_NONE if the site is evaluated
+ * first. */
 static last_change change_within(variable_facts *facts, const ir_variable *variable,
                                  const ir_node *statement, const ir_node *site) {
     if (!variable_written_in(facts, statement->kind == IR_IF ? statement->children[0] : statement,
@@ -78,11 +79,11 @@ static last_change change_within(variable_facts *facts, const ir_variable *varia
                                                                : none;
 }
 
-/* The last change outside of a part of a statement, before the statement comes to the part. */
+/* The last change in the node around `part` that happens before `part` is executed. */
 static last_change change_around(variable_facts *facts, const ir_variable *variable,
                                  const ir_node *part) {
     const ir_node *around = part->parent;
-    if (ir_holds_case(part)) /* a jump passes by what stands above it */
+    if (ir_holds_case(part)) /* a jump to the case skips the statements above it */
         return variable_written_in(facts, around, variable) ? unknown : none;
     if (around->kind == IR_BLOCK)
         return change_above(facts, variable, part);

@@ -6,7 +6,7 @@
 
 enum { STEP_LIMIT = 8, LOOK_THROUGH_LIMIT = 8 };
 
-/* Constant data of one query. */
+/* The constant data of one call of location_of. */
 typedef struct query {
     variable_facts *facts;
     const ir_node *scope;
@@ -26,8 +26,8 @@ static void add_step(location *l, const ir_field *field, const ir_record *record
     l->steps[l->step_count++] = (location_step){field, record, subscript};
 }
 
-/* Arithmetic on a pointer to a single object, such as &v[0].x + k, is undefined in C, but programs
- * and compilers let the result be anywhere in the enclosing object. */
+/* Arithmetic on a pointer to a single object, as in &v[0].x + k, is undefined in C. Programs and
+ * compilers nevertheless let the result be anywhere in the enclosing object. */
 static void leave_single_object(location *l) {
     l->step_count = 0;
     l->is_inexact = true;
@@ -60,8 +60,8 @@ static location member_location(const query *q, const ir_node *node, unsigned de
     return l;
 }
 
-/* (*__ctype_b_loc())[c], and *__ctype_b_loc() itself: the C library's, in no object of the
- * program. */
+/* The location of (*__ctype_b_loc())[c] or *__ctype_b_loc(). It belongs to the C library and is in
+ * no object of the program. */
 static location locale_location(const ir_node *table) {
     return (location){.is_of_locale = true, .is_inexact = true, .base = table};
 }
@@ -87,7 +87,7 @@ static location lvalue_location(const query *q, const ir_node *node, unsigned de
             l = lvalue_location(q, node->children[0], depth);
             add_step(&l, NULL, NULL, node->children[1]);
         } else {
-            /* p[k]: the target of p, moved */
+            /* p[k] is the target of p, moved by k elements */
             l = pointed_location(q, node->children[0], depth);
             if (l.step_count && !l.steps[l.step_count - 1].field && !l.is_inexact)
                 l.steps[l.step_count - 1].subscript =
@@ -115,8 +115,8 @@ static location lvalue_location(const query *q, const ir_node *node, unsigned de
     return l;
 }
 
-/* The target of a pointer that is read from memory or from a variable. The pointer is its base;
- * step 0 is the subscript that may follow. */
+/* The target of a pointer that is read from memory or from a variable. The pointer is the
+ * location's base, and step 0 is the subscript that may follow. */
 static location pointer_base(const ir_node *node) {
     location l = {.pointer = node, .base = node};
     l.steps[0] = (location_step){NULL, NULL, NULL};
@@ -128,12 +128,13 @@ static bool same_pointee(const ir_type *a, const ir_type *b) {
     return a && b && a->target && b->target && ir_type_equal(a->target, b->target);
 }
 
-/* A definition whose evaluation can be repeated: without calls and assignments. */
+/* Can the definition's evaluation be repeated? It must contain no call and no assignment. */
 static bool is_followed(const ir_node *value) {
     return value->kind != IR_INITIALIZERS && expression_is_plain(value);
 }
 
-/* f(...), or (double *)f(...): a separate pointer, with an unknown target. */
+/* Is the value the result of a call, as in f(...) or (double *)f(...)? It is then a separate
+ * pointer with an unknown target. */
 static bool is_result(const ir_node *value) {
     while (value->kind == IR_CAST && value->children[0]->type &&
            value->children[0]->type->kind == IR_POINTER)
@@ -141,7 +142,7 @@ static bool is_result(const ir_node *value) {
     return value->kind == IR_CALL;
 }
 
-/* pointer + n, n + pointer, pointer - n */
+/* The location of pointer + n, n + pointer or pointer - n. */
 static location moved_location(const query *q, const ir_node *node, unsigned depth) {
     const ir_node *left = node->children[0];
     const bool left_is_pointer =
@@ -186,7 +187,8 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
         return pointed_location(q, array, depth);
     if (!value)
         return pointer_base(node);
-    /* variable_escapes requires that a pointer with one definition is looked through or unknown */
+    /* variable_escapes relies on this: a pointer with one definition is either replaced by it or
+     * unknown */
     if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
         return is_result(value) ? pointer_base(node) : unknown_location();
     location l = pointed_location(q, value, depth + 1);

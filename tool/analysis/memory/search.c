@@ -3,7 +3,7 @@
 
 #include "analysis/base/expression.h"
 
-/* Is the read evaluated each time the condition is? */
+/* Is the read evaluated whenever the condition is? */
 static bool is_certain_in(const ir_node *condition, const ir_node *read) {
     for (const ir_node *node = read; node != condition; node = node->parent) {
         const ir_node *parent = node->parent;
@@ -24,7 +24,7 @@ static bool is_count_up(const ir_node *node, const ir_variable *cursor) {
            node->children[0]->kind == IR_VARIABLE && node->children[0]->variable == cursor;
 }
 
-/* Do the loop's body and increment only increment the cursor? */
+/* Do the loop's body and increment do nothing but increment the cursor? */
 static bool only_counts_up(const ir_node *loop, const ir_variable *cursor) {
     if (loop->kind == IR_WHILE)
         return is_count_up(loop->children[1], cursor);
@@ -41,7 +41,8 @@ static unsigned count_writes(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* The cursor's initial value, declared among plain declarations at the head of the body. */
+/* The cursor's initial value, from one of the declarations at the beginning of the body. NULL if
+ * there is none. */
 static const ir_node *initial_value(const ir_node *body, const ir_variable *cursor) {
     for (unsigned i = 0; i + 2 < body->child_count; i++) {
         const ir_node *declaration = body->children[i];
@@ -59,8 +60,9 @@ static bool returns(const ir_node *statement, const ir_variable *cursor) {
     return value && value->kind == IR_VARIABLE && value->variable == cursor;
 }
 
-/* A cursor of this type reaches the end of all memory before it wraps around, or its overflow is
- * undefined. A narrower unsigned one would wrap around to 0. */
+/* Can the search not wrap around? Either the cursor's overflow is undefined, or the cursor has 8
+ * bytes and would reach the end of all memory first. A narrower unsigned cursor would wrap around
+ * to 0. */
 static bool cannot_wrap(const ir_type *cursor) {
     return cursor->kind == IR_INTEGER && (cursor->size == 8 || ir_type_never_wraps(cursor));
 }
@@ -80,7 +82,7 @@ const ir_node *search_start(const ir_function *function, const ir_node *read) {
     const ir_node *condition = loop->children[loop->kind == IR_WHILE ? 0 : 1];
     if (!ir_contains(condition, read) || !is_certain_in(condition, read))
         return NULL;
-    /* Only declarations precede the loop, so that every call reaches it. */
+    /* only declarations precede the loop, so every call reaches it */
     for (unsigned i = 0; i + 2 < body->child_count; i++)
         if (body->children[i]->kind != IR_DECLARATION)
             return NULL;

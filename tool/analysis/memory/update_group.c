@@ -5,7 +5,7 @@
 
 #include "analysis/base/expression.h"
 
-/* Statements number `from` to `to` of a block. */
+/* The statements from `from` to `to` of a block. */
 typedef struct range_of_block {
     variable_facts *facts;
     const ir_node *block;
@@ -79,7 +79,8 @@ static bool mentions_own(const range_of_block *r, const ir_node *node) {
     return false;
 }
 
-/* The value that the statement loads into the variable, without other effects; or NULL. */
+/* The value that the statement loads into the variable; NULL if the statement does anything
+ * else. */
 static const ir_node *loaded(const ir_node *statement, const ir_variable *variable) {
     const ir_node *only = statement->child_count == 1 ? statement->children[0] : NULL;
     if (!only)
@@ -98,7 +99,7 @@ static bool is_plain_scalar(const ir_variable *variable) {
            !variable->type->is_volatile && !variable->type->is_atomic;
 }
 
-/* Searches the stored value's variables for the one into which an earlier statement loads the
+/* Searches the variables in the stored value for one into which an earlier statement loads the
  * element. */
 static bool find_load(range_of_block *r, const ir_node *value, const ir_node *target,
                       update_group *group) {
@@ -136,7 +137,7 @@ bool update_group_of(variable_facts *facts, const ir_node *assignment, update_gr
     return find_load(&r, assignment->children[1], assignment->children[0], group);
 }
 
-/* The variable that is set to the value read; NULL: none. */
+/* The variable that is set to the value of this read; NULL if there is none. */
 static const ir_variable *loaded_by(const ir_node *read) {
     const ir_node *load = read->parent;
     if (!load)

@@ -8,17 +8,17 @@
 
 enum { MOST_TRACKED = 16, MOST_OFFSET = 1 << 20 };
 
-/* Facts about a variable. A floating one with has_least is either a NaN, or not below `least`,
- * a node of the function (NULL: not below 0). */
+/* Facts about a variable. If has_least is set, a floating variable is either a NaN or at least
+ * `least`. `least` is a node of the function; NULL stands for 0. */
 typedef struct known_value {
     const ir_variable *variable;
     value_bounds integer;
     bool has_least;
     const ir_node *least;
-    unsigned needs; /* bits: the conditions on which the bounds depend */
+    unsigned needs; /* a set of bits: the indices of the conditions on which these facts depend */
 } known_value;
 
-/* Nothing is known about variables that are not in it. */
+/* Facts about variables. Nothing is known about those not listed. */
 typedef struct known_values {
     unsigned count;
     known_value items[MOST_TRACKED];
@@ -28,13 +28,15 @@ typedef struct bounding {
     variable_facts *facts;
     const ir_function *function;
     known_values now;
-    bounds_conditions conditions; /* of all values so far */
-    unsigned needs;               /* those that the current value depends on */
+    bounds_conditions conditions; /* conditions of all values so far */
+    unsigned needs;               /* a set of bits: the conditions on which the current value
+                                   * depends */
 } bounding;
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/* Is it a floating variable, or a signed integer that never wraps, that changes only by name? */
+/* Is the variable tracked? It must change only by name, and be floating or a signed integer that
+ * never wraps around. */
 static bool is_tracked(const bounding *b, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return variable_is_automatic(variable) && variable->function == b->function &&
@@ -50,7 +52,8 @@ static known_value *known_of(bounding *b, const ir_variable *variable) {
     return NULL;
 }
 
-/* The variable's value, used in the current expression, which then depends on its conditions. */
+/* Known facts about a variable used in the current expression. The expression then depends on the
+ * same conditions. */
 static known_value used(bounding *b, const ir_variable *variable) {
     const known_value *known = known_of(b, variable);
     b->needs |= known ? known->needs : 0;
@@ -88,7 +91,8 @@ static void forget_all_written(bounding *b, const ir_node *node) {
 
 /* ---- values that do not change --------------------------------------------------------------- */
 
-/* Is it a parameter that the function never writes, or a member reached through one? */
+/* Is it a parameter that the function never writes, or a member reached through such a
+ * parameter? */
 static bool is_unchanged(const bounding *b, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE: {
@@ -137,7 +141,7 @@ static bool is_same_term(bound_term a, bound_term b) {
            (a.value && b.value ? expression_same(a.value, b.value) : !a.value && !b.value);
 }
 
-/* The union of the ends of two possible values: unknown if one of them is unknown. */
+/* Joins the bounds of two possible values. The result is unknown (0) if one of the two is. */
 static void join_ends(bound_term *ends, unsigned *count, const bound_term *other,
                       unsigned other_count) {
     if (*count == 0 || other_count == 0) {
@@ -173,7 +177,8 @@ static bool is_never_below_zero(const value_bounds *bounds) {
 
 static known_value value_of(bounding *b, const ir_node *node);
 
-/* Bounds after a conversion: the same if `to` has all values of `from`; else unknown. */
+/* The bounds after a conversion: unchanged if `to` can represent all values of `from`, otherwise
+ * unknown. */
 static value_bounds converted(value_bounds bounds, const ir_type *from, const ir_type *to) {
     return from && ir_type_is_plain_integer(from) && from->is_signed &&
                    ir_type_is_plain_integer(to) && to->is_signed && to->size >= from->size
@@ -195,9 +200,9 @@ static bool is_never_negative(bounding *b, const ir_node *node);
 
 static value_bounds integer_of(bounding *b, const ir_node *node);
 
-/* Bounds of the integer that a value is converted to. A floating value outside of the type's range
- * may become any integer (F.4). If the type has less than 4 bytes, each of these might be a
- * valid subscript, so nothing is known. */
+/* Bounds of the integer to which a value is converted. A floating value outside of the type's range
+ * may become any integer (C17 F.4). In a type of less than 4 bytes each of these might be a valid
+ * subscript, so nothing is known then. */
 static value_bounds integer_set(bounding *b, const ir_node *value, const ir_type *type) {
     if (value->type && value->type->kind == IR_FLOATING)
         return type->size >= 4 && is_never_negative(b, value) ? (value_bounds){.low_count = 1}
@@ -230,7 +235,8 @@ static value_bounds integer_of(bounding *b, const ir_node *node) {
 
 /* ---- floating values ------------------------------------------------------------------------- */
 
-/* Adds the condition that the value is not negative; false: there are too many. */
+/* Adds the condition that the value is not negative. Returns false if there are too many
+ * conditions. */
 static bool require(bounding *b, const ir_node *value) {
     bounds_conditions *all = &b->conditions;
     unsigned i = 0;
@@ -244,8 +250,9 @@ static bool require(bounding *b, const ir_node *value) {
     return true;
 }
 
-/* If the C library's function has no negative result for a non-negative argument (is_always: for
- * any argument), that argument; else NULL. */
+/* The argument of a call of a C library function that maps non-negative arguments to non-negative
+ * results. *is_always says that the result is never negative for any argument. NULL if the call is
+ * none of these. */
 static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *is_always) {
     static const char *const names[] = {"sqrt", "fabs", "floor",    "trunc",
                                         "ceil", "rint", "nearbyint"};
@@ -260,7 +267,7 @@ static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *i
     return NULL;
 }
 
-/* Is the value not negative because of its parts, or a NaN? */
+/* Do the value's operands show that it is not negative, or a NaN? */
 static bool is_sign_of_parts(bounding *b, const ir_node *node) {
     bool is_always = false;
     switch (node->kind) {
@@ -292,7 +299,7 @@ static bool is_never_negative(bounding *b, const ir_node *node) {
         return is_never_below_zero(&bounds);
     }
     if (node->kind == IR_NUMBER)
-        return true; /* the sign is an operator */
+        return true; /* a literal is never negative, because a sign is an operator */
     if (is_unchanged(b, node))
         return require(b, node);
     if (node->kind == IR_VARIABLE) {
@@ -323,7 +330,7 @@ static void set(bounding *b, const ir_variable *variable, const ir_node *value) 
         known.integer = integer_set(b, value, variable->type);
     else if (is_tracked(b, variable))
         known = value_of(b, value);
-    /* a conversion to another floating type may round below `least`, but not below zero */
+    /* converting to another floating type may round below `least`, but not below zero */
     if (known.least && value->type->size != variable->type->size)
         known.has_least = false;
     known.needs = b->needs;
@@ -332,7 +339,7 @@ static void set(bounding *b, const ir_variable *variable, const ir_node *value) 
         learn(b, variable, known);
 }
 
-/* Learns that variable <op> bound holds. */
+/* Notes that variable <op> bound is true. */
 static void refine(bounding *b, const ir_variable *variable, ir_operator op, const ir_node *bound) {
     known_value known = {0};
     if (!is_tracked(b, variable))
@@ -371,8 +378,8 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
     learn(b, variable, known);
 }
 
-/* Learns that the condition holds, or not. If a comparison of floating values does not hold, one of
- * them may be a NaN, which `least` allows. */
+/* Notes that the condition is true, or false if `holds` is false. If a comparison of floating
+ * values is false, one of them may be a NaN, which has_least permits. */
 static void suppose(bounding *b, const ir_node *condition, bool holds) {
     if (condition->kind != IR_BINARY || !expression_is_plain(condition))
         return;
@@ -386,7 +393,7 @@ static void suppose(bounding *b, const ir_node *condition, bool holds) {
         refine(b, right->variable, expression_mirrored(op), left);
 }
 
-/* Keeps the facts that hold after both branches. */
+/* Keeps the facts that are true after both branches. */
 static void join(bounding *b, const known_values *other) {
     for (unsigned i = b->now.count; i-- > 0;) {
         known_value *item = &b->now.items[i];
@@ -408,7 +415,7 @@ static void join(bounding *b, const known_values *other) {
 
 static void execute(bounding *b, const ir_node *statement, const ir_node *site);
 
-/* Stops at the site, if that is in the statement. */
+/* Executes an `if` on the facts; stops at the site, if the statement contains it. */
 static void execute_if(bounding *b, const ir_node *statement, const ir_node *site) {
     const ir_node *condition = statement->children[0];
     forget_all_written(b, condition);
@@ -439,7 +446,7 @@ static void execute_expression(bounding *b, const ir_node *node) {
         forget_all_written(b, node);
 }
 
-/* Executes the whole statement, or stops at the site. */
+/* Executes the statement on the facts; stops at the site, if the statement contains it. */
 static void execute(bounding *b, const ir_node *statement, const ir_node *site) {
     const bool is_last = ir_contains(statement, site);
     switch (statement->kind) {
@@ -463,7 +470,7 @@ static void execute(bounding *b, const ir_node *statement, const ir_node *site) 
             forget_all_written(b, statement);
         return;
     case IR_EXPRESSION:
-        if (is_last) /* its own assignments may come before or after */
+        if (is_last) /* the statement's own assignments may happen before or after the site */
             forget_all_written(b, statement);
         else
             execute_expression(b, statement->children[0]);

@@ -10,10 +10,11 @@ struct variable_facts {
     arena *memory;
     const ir_unit *unit;
     must_write *prover;
-    variable_fact *facts; /* by variable id */
+    variable_fact *facts; /* indexed by variable id */
 };
 
-/* The variable that a node changes, wholly or in part, or whose address it takes. */
+/* The variable that the node changes, wholly or in part, or whose address it takes. NULL if there
+ * is none. */
 static ir_variable *changed_variable(const ir_node *node) {
     const ir_node *lvalue = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)
@@ -21,7 +22,7 @@ static ir_variable *changed_variable(const ir_node *node) {
     return lvalue ? expression_object(lvalue) : NULL;
 }
 
-/* An array, or a part of one, passed to a function, which may fill it. */
+/* Is the node an array, or a part of one, that is passed to a function, which may write to it? */
 static bool is_handed_over(const ir_node *node) {
     const ir_node *parent = node->parent;
     while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node) ||
@@ -30,7 +31,7 @@ static bool is_handed_over(const ir_node *node) {
         const bool is_part = parent->kind == IR_INDEX || parent->kind == IR_MEMBER;
         if (is_part && parent->type && parent->type->kind != IR_ARRAY &&
             parent->type->kind != IR_RECORD)
-            return false; /* its value, whatever is made of it */
+            return false; /* only an element's value is used */
         node = parent;
         parent = node->parent;
     }
@@ -43,7 +44,8 @@ static bool is_step(const ir_node *write) {
            (write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT));
 }
 
-/* An operand of assembler and the like: it may be an output. Sizes of arrays only read. */
+/* Notes an operand of inline assembly and the like as written, because it may be an output. The
+ * lengths of variable-length arrays are only read. */
 static void note_hidden_write(variable_facts *all, const ir_node *node, const ir_node *operand) {
     const ir_variable *variable = expression_object(operand);
     if (!variable || ir_is_statement_expression(node) || ir_is_lengths(node))
@@ -68,7 +70,7 @@ static bool note_occurrence(ir_node *node, void *context) {
     }
     if (node->kind == IR_DECLARATOR && node->variable) {
         variable_fact *fact = &all->facts[node->variable->id];
-        /* `extern int x;` in a block only names it there, in several functions perhaps */
+        /* `extern int x;` in a block only names the variable, perhaps in several functions */
         if (node->variable->storage != IR_GLOBAL)
             fact->declarator = node;
         if (node->child_count) {
@@ -123,7 +125,7 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
-/* The effect, through this argument, of a call that names its function. */
+/* How a call uses the target of this argument. The call must name its function. */
 static parameter_effect effect_of_argument(const variable_facts *facts, const ir_node *call,
                                            const ir_node *argument) {
     for (unsigned i = 1; i < call->child_count; i++)
@@ -132,7 +134,7 @@ static parameter_effect effect_of_argument(const variable_facts *facts, const ir
     return (parameter_effect){.keeps_address = true};
 }
 
-/* &v, passed to a function that only reads through it. */
+/* Is it &v, passed to a function that only reads through it? */
 static bool is_only_read(const variable_facts *facts, const ir_node *address) {
     const ir_node *call = address->parent;
     if (address->kind != IR_UNARY || address->op != IR_OP_ADDRESS || !call ||
@@ -201,7 +203,7 @@ static bool is_null_pointer(const ir_node *value) {
            number == 0;
 }
 
-/* The array's name in w, w + k, w - k, &w[k]; NULL: another value. */
+/* The node of the array w in w, w + k, w - k or &w[k]; NULL for other values. */
 static const ir_node *array_pointed_into(const ir_node *value) {
     if (!expression_is_plain(value))
         return NULL;
@@ -249,7 +251,7 @@ static bool is_memory_function(const char *name) {
 static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_node *argument) {
     const ir_node *callee = call->children[0];
     if (callee == argument)
-        return false; /* called, not stored */
+        return false; /* a pointer that is only called is not stored */
     if (callee->kind != IR_FUNCTION)
         return true;
     if (!callee->function->body)
@@ -274,7 +276,8 @@ static bool holder_escapes(variable_facts *all, const ir_variable *holder, unsig
     return false;
 }
 
-/* An lvalue inside of the object: reading or writing it stores no address, unless it decays. */
+/* Does a use of this lvalue, which is inside the object, store its address? Reading or writing it
+ * does not, unless it is an array that decays. */
 static bool lvalue_escapes(variable_facts *all, const ir_node *node, unsigned depth) {
     const ir_node *parent = node->parent;
     bool is_array = node->type && node->type->kind == IR_ARRAY;
@@ -379,8 +382,8 @@ static bool is_restricted(variable_facts *facts, const ir_variable *variable) {
     if (!variable_is_automatic(variable) || !variable->type->is_restrict ||
         variable->address_taken || fact->write_count > allowed)
         return false;
-    /* A block's restrict pointer is exclusive from its declaration on. If it is assigned later,
-     * less is known. */
+    /* A restrict pointer of a block is exclusive from its declaration on. If it is assigned later,
+     * less is known, so such a pointer is not used. */
     if (allowed && (!fact->declarator || fact->definition_place != fact->declarator))
         return false;
     for (unsigned i = 0; i < fact->occurrences.count; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Facts about each variable of a unit, independent of loops: its occurrences, the number of its
- *  assignments, whether its address is stored. */
+/** Facts about each variable of a unit that do not depend on a loop: its occurrences, how often it
+ *  is assigned, and whether its address is stored. */
 #ifndef ANALYSIS_VARIABLE_FACTS_H
 #define ANALYSIS_VARIABLE_FACTS_H
 
@@ -9,14 +9,18 @@
 #include "support/vector.h"
 
 typedef struct variable_fact {
-    VECTOR(const ir_node *) occurrences; /* IR_VARIABLE nodes, in text order */
     VECTOR(const ir_node *)
-    writes;               /* nodes that assign it, take its address, or pass it, or an
-                           * array in it, to a function; in text order */
-    unsigned write_count; /* assignments, increments, initialisers; address-taking not counted */
-    unsigned step_count;  /* of them, p++, p += e and the like */
-    const ir_node *definition;       /* the value of the last assignment, if it is a plain `=` */
-    const ir_node *definition_place; /* the node of the last assignment, of any form */
+    occurrences; /* IR_VARIABLE nodes that name it, in the order of the
+                  * text */
+    VECTOR(const ir_node *)
+    writes;               /* nodes that assign it, take its address, or pass it or an array in it
+                           * to a function; in the order of the text */
+    unsigned write_count; /* number of assignments, increments and initialisers; taking its
+                           * address does not count */
+    unsigned step_count;  /* how many of these are steps (p++, p += e and the like) */
+    const ir_node *definition;       /* the value of the last assignment or initialiser; NULL if
+                                      * that is not a plain `=` */
+    const ir_node *definition_place; /* the node of the last assignment, whatever its form */
     const ir_node *start;            /* the value of the last assignment that is no step */
     const ir_node *declarator;
     enum { EXPOSURE_NOT_ASKED, EXPOSURE_YES, EXPOSURE_NO } exposure;
@@ -30,44 +34,49 @@ variable_facts *variable_facts_new(arena *a, const ir_unit *unit, must_write *pr
 
 const ir_unit *variable_facts_unit(const variable_facts *facts);
 
-/** Facts about one variable; complete for locals and parameters, otherwise limited to this file. */
+/** The facts about one variable. They are complete for locals and parameters; for other variables
+ *  they cover only this file. */
 const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *variable);
 
-/** May there be, or have been, a pointer to this local variable or parameter whose uses the
- *  analysis does not all see? True for all other variables. */
+/** May a pointer to this local variable or parameter exist, or have existed, that the analysis
+ *  cannot follow? True for all other variables. */
 bool variable_escapes(variable_facts *facts, const ir_variable *variable);
 
-/** Is there any pointer to it or into it: by &, or because it is an array used as a pointer (other
- *  than directly under a subscript or *), also as an argument? */
+/** Does the program create any pointer to the variable or into it, by & or by using an array in it
+ *  as a pointer? An array directly under a subscript or * does not count; one passed as an argument
+ *  does. */
 bool variable_is_exposed(variable_facts *facts, const ir_variable *variable);
 
-/** Does anything below `node` assign the variable, take its address by &, or pass an array of it to
- *  a function? A variable whose address escapes may also change otherwise. */
+/** Does `node`, or a node below it, assign the variable, take its address by &, or pass an array in
+ *  it to a function? If its address escapes (variable_escapes), the variable may also change in
+ *  other ways. */
 bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable);
-/** The same, but a call that gets &v and only reads through it, according to the callee's body,
- *  does not count. */
+/** Same as variable_written_in, but a call that receives &v and only reads through it, according to
+ *  the callee's body, does not count. */
 bool variable_may_change_in(variable_facts *facts, const ir_node *node,
                             const ir_variable *variable);
 
-/** The highest node id below `node` (ids are in preorder: [node->id, last] is the subtree). */
+/** The greatest node id in the tree below `node`. Ids are in preorder, so the subtree has exactly
+ *  the ids from node->id to this one. */
 unsigned expression_last_id(const ir_node *node);
 
 /** The value of a local variable that is assigned only once, by an initialiser or a plain `=`, and
- *  whose address is not taken unless it is an array; NULL otherwise. */
+ *  whose address is not taken (unless it is an array). Otherwise NULL. */
 const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable);
 
-/** The first value of a local pointer whose other assignments are all steps, if the first one and
- * the steps are inside `scope`; NULL: it is no such pointer. */
+/** The first value of a local pointer that is set once and otherwise only stepped, all inside
+ *  `scope`. NULL if it is no such pointer. */
 const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
                                    const ir_node *scope);
 
-/** The node of the only local array into which a local pointer points: the pointer's address is not
- *  taken, and it is only set to elements of the array or to null, and stepped. NULL: it is no such
- *  pointer. */
+/** The node that names the only local array into which a local pointer points. The pointer's
+ *  address must not be taken; it may only be stepped, and set to elements of the array or to null.
+ *  NULL if it is no such pointer. */
 const ir_node *variable_walked_array(variable_facts *facts, const ir_variable *pointer);
 
 /** Is it a restrict pointer whose value is used only for accesses through it and for calls of
- *  functions that do not store it? Then no other pointer reaches its target, if that is written. */
+ *  functions that do not store it? If so, no other pointer reaches memory that is accessed through
+ *  it, if that memory is written. */
 bool variable_is_restricted(variable_facts *facts, const ir_variable *variable);
 
 #endif

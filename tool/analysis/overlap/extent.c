@@ -13,7 +13,7 @@
 #include "analysis/overlap/row_address.h"
 #include "analysis/reduction/update_array.h"
 
-/* Are all its subscripts affine in the counter, and everything else in it invariant? */
+/* Are all subscripts in the row affine in the counter, and is everything else in it invariant? */
 static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     switch (row->kind) {
     case IR_VARIABLE:
@@ -42,7 +42,7 @@ static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     }
 }
 
-/* Does the row depend on a pointer read from memory at a changing address? Then it is not monotonic
+/* Does the row depend on a pointer that is loaded from a changing address? Then it is not monotonic
  * in the counter. */
 static bool has_moving_load(const loop_analysis *j, const ir_node *row) {
     for (unsigned i = 0; i < row->child_count; i++) {
@@ -65,7 +65,7 @@ static bool is_invariant_row(const loop_analysis *j, const ir_node *row) {
            !expression_mentions(row, j->counted.counter);
 }
 
-/* The base of a source: an invariant pointer, or an object, whose address is invariant. */
+/* Is the base of a source an invariant pointer, or an object with an invariant address? */
 static bool is_fixed_base(const loop_analysis *j, const ir_node *base) {
     if (expression_mentions(base, j->counted.counter))
         return false;
@@ -80,7 +80,7 @@ static bool can_be_spelled(const loop_analysis *j, const ir_node *row) {
     return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
 }
 
-/* The initial value of a pointer that each iteration steps; NULL: it is no such pointer. */
+/* The initial value of a pointer that each iteration steps; NULL if it is no such pointer. */
 static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base) {
     if (base->kind != IR_VARIABLE || base->type->kind != IR_POINTER)
         return NULL;
@@ -94,20 +94,21 @@ static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base
     return NULL;
 }
 
-/* The base of a read's address before the loop; NULL: unknown. */
+/* The base of the read's address, as it is before the loop; NULL if it is unknown. */
 static const ir_node *base_before(const loop_analysis *j, const ir_node *base) {
     const ir_node *first = is_fixed_base(j, base) ? base : first_of_steps(j, base);
     return first && can_be_spelled(j, first) ? first : NULL;
 }
 
-/* Can the address of `row` be computed before the loop without operations that the program would
- * not execute: from variables alone, or as in each iteration? */
+/* Can the address of `row` be computed before the loop? It can if each iteration computes it
+ * anyway, or if it is computed from variables by operations that cannot fail. */
 static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
-/* A bit-field has no address, but the enclosing object has; it contains more bytes than are read,
- * so it is no extent `of_contents`. */
+/* The row itself, or for a bit-field, which has no address, the enclosing object. NULL for a
+ * bit-field that is reached by ->, and also if `of_contents` is set, because the object contains
+ * bytes that are not read. */
 static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
     if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
         return row;
@@ -138,9 +139,10 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
     return false;
 }
 
-/* The ends of a row that is monotonic in the counter. In iterations that do not read it the
- * subscript may have any value: `x[t - 1]` where t is 0. If that is likely and no condition on the
- * counter identifies these iterations, the inspector finds the reads (`can_be_recorded`). */
+/* Plans a row that is monotonic in the counter, by its ends. In iterations that do not read it, the
+ * subscript may have any value, as in `x[t - 1]` where t is 0. If that is likely, and no condition
+ * on the counter excludes these iterations, returns false if the inspector can record the reads
+ * instead (`can_be_recorded`). */
 static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
@@ -159,7 +161,7 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
            !may_fall_below(&address, counter);
 }
 
-/* Plans a row whose range is known before the inspection; false: it is not. */
+/* Plans a row whose range is known without the inspector. Returns false if it is not known. */
 static bool plan_known(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                        source_plan *plan) {
     row_address address;
@@ -171,8 +173,8 @@ static bool plan_known(const loop_analysis *j, const loop_access *read, bool can
     return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_recorded, plan);
 }
 
-/* Is it made of variables that the loop leaves unchanged, of loads, and of the counters of the
- * callee's loops? */
+/* Is the expression made of variables that the loop does not change, of loads, and of counters of
+ * the callee's loops? */
 static bool is_same_in_each(const loop_analysis *j, const loop_source *item, const ir_node *node) {
     if (node->kind == IR_CALL || node->kind == IR_OPAQUE || expression_written(node))
         return false;
@@ -210,15 +212,16 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
     item.is_repeated = is_repeated(j, &item);
     if (read->access.is_behind && !item.loop_count && !slice_is_safe_here(j, item.row, true))
-        return (source_plan){false, item}; /* the row may not exist if the call reads none */
+        return (source_plan){false, item}; /* the row may not exist if the call does not read
+                                            * it */
     const bool is_safe = item.base
                              ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
                              : !of_contents && update_table_of(j, read->where.base);
     return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
-/* Is it *(T (*)[n])p, n elements behind a pointer (callee_terms.c), and may an execution read
- * fewer? The object may end after these. */
+/* Does the row consist of n elements behind a pointer, *(T (*)[n])p (callee_terms.c), and may an
+ * execution read fewer? The object may end after those that it reads. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;
@@ -226,8 +229,8 @@ static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
 
 /* ---- between bounds -------------------------------------------------------------------------- */
 
-/* Does the loop write the loaded memory, if at all, only by arrays and scalars that are compared
- * with the read at run time? */
+/* Is the loaded memory not written by the loop, except through arrays and scalars with which the
+ * read is compared at run time? */
 static bool is_not_written(const loop_analysis *j, const ir_node *load) {
     const location where = location_of(j->an->facts, load, j->loop);
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -240,8 +243,8 @@ static bool is_not_written(const loop_analysis *j, const ir_node *load) {
     return true;
 }
 
-/* Can it be loaded before the loop, without a fault if the program does not load it, and with the
- * value that it has in the loop? */
+/* Can the value be loaded before the loop? The load must not fault even if the program never makes
+ * it, and must give the value that it has in the loop. */
 static bool can_be_read_before(const loop_analysis *j, const ir_node *node) {
     const ir_type *type = node->type;
     if (!type || type->is_volatile || type->is_atomic || type->has_address_space)
@@ -270,7 +273,7 @@ static bool is_bound(const loop_analysis *j, const ir_node *node) {
            !expression_mentions(node, j->counted.counter) && can_be_read_before(j, node);
 }
 
-/* *base: represents the table where a row is required. */
+/* The row *base, which represents the whole table if a row is required. */
 static const ir_node *first_element(const loop_analysis *j, const element_bounds *bounds) {
     ir_node *row = ir_new(j->an->memory, IR_UNARY, bounds->element, 1);
     row->op = IR_OP_DEREFERENCE;
@@ -279,7 +282,7 @@ static const ir_node *first_element(const loop_analysis *j, const element_bounds
     return row;
 }
 
-/* The extent of a table whose subscript the function itself bounds. */
+/* Plans a table whose subscript has known bounds. */
 static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bounds) {
     bool is_possible = is_bound(j, bounds->base);
     for (unsigned i = 0; i < bounds->term_count; i++)
@@ -294,7 +297,8 @@ static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bo
                           .bounds = bounds}};
 }
 
-/* c, c + k or c - k with a constant k: each value between the lowest and the highest occurs. */
+/* Is the subscript c, c + k or c - k with a constant k? Then it takes each value between its least
+ * and its greatest. */
 static bool is_counter_and_constant(const ir_node *subscript) {
     int64_t value;
     if (subscript->kind == IR_BINARY &&
@@ -304,8 +308,8 @@ static bool is_counter_and_constant(const ir_node *subscript) {
     return subscript->kind == IR_VARIABLE;
 }
 
-/* Rows that inner loops over constants read, all of them in each iteration: `for (c = 0; c < 24;
- * c++) ... centre[c][k]`. NULL: it is another read. */
+/* The bounds of rows if inner loops over constants read them all in each iteration:
+ * `for (c = 0; c < 24; c++) ... centre[c][k]`. NULL if it is another read. */
 static const element_bounds *constant_bounds(const loop_analysis *j, const loop_access *read,
                                              const ir_node *row) {
     bound_term low = {0}, high = {0};
@@ -351,7 +355,8 @@ source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool
     return bounded.is_possible ? bounded : touched;
 }
 
-/* `k = find(...);` in a block: the variable, and the next statement, at which it has its value. */
+/* The variable in a statement `k = find(...);` of a block. *after becomes the next statement, at
+ * which the variable has the result. NULL if the call occurs in another form. */
 static const ir_node *result_variable(const ir_node *call, const ir_node **after) {
     const ir_node *assignment = call->parent;
     const ir_node *statement = assignment ? assignment->parent : NULL;
@@ -370,8 +375,8 @@ static const ir_node *result_variable(const ir_node *call, const ir_node **after
     return NULL;
 }
 
-/* Plans the last element that a search reads by the variable that keeps the result, so that the
- * inspector need not repeat the search. False: there is no such variable. */
+/* Plans the last element that a search reads, using the variable that holds the search's result, so
+ * that the inspector need not repeat the search. Returns false if there is no such variable. */
 static bool plan_found(const loop_analysis *j, const loop_access *read, source_plan *plan) {
     const ir_node *after = NULL;
     const ir_node *variable = result_variable(read->access.node, &after);

@@ -35,7 +35,7 @@ static bool take_object(row_address *sum, const ir_node *node) {
     }
 }
 
-/* p + k, k + p, p - k */
+/* Splits p + k, k + p or p - k. */
 static bool take_moved(row_address *sum, const ir_node *node) {
     const ir_type *target = node->type->target;
     const bool is_second = !ir_is_pointer(node->children[0]) && !ir_is_array(node->children[0]);

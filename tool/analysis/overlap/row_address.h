@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The address of an lvalue as a sum: base + offset + bytes * subscript + ... */
+/** Writes the address of an lvalue as a sum: base + offset + bytes * subscript + ... */
 #ifndef ANALYSIS_ROW_ADDRESS_H
 #define ANALYSIS_ROW_ADDRESS_H
 
@@ -8,19 +8,20 @@
 enum { ROW_MOST_TERMS = 8 };
 
 typedef struct row_term {
-    const ir_node *subscript; /* an integer */
-    int64_t bytes;            /* bytes per unit of it; negative: p - subscript */
+    const ir_node *subscript; /* of an integer type */
+    int64_t bytes;            /* by how many bytes the address changes if the subscript increases
+                               * by 1; negative for p - subscript */
 } row_term;
 
 typedef struct row_address {
-    const ir_node *base; /* its first term: a pointer's value, or an object's address */
-    bool base_is_object; /* the latter */
-    int64_t offset;      /* bytes, of members */
+    const ir_node *base; /* the first term: a pointer, or an object whose address is meant */
+    bool base_is_object; /* the base is an object */
+    int64_t offset;      /* in bytes, from members */
     unsigned term_count;
     row_term terms[ROW_MOST_TERMS];
 } row_address;
 
-/** Fills in *address. False if a size is not constant, or there are too many terms. */
+/** Fills in *address. Returns false if a size is not constant, or if there are too many terms. */
 bool row_address_of(const ir_node *row, row_address *address);
 
 #endif

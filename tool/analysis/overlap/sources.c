@@ -7,7 +7,8 @@
 #include "analysis/overlap/extent.h"
 #include "analysis/reduction/update_array.h"
 
-/* A private variable of the iteration, or one without pointers to it: it changes only by name. */
+/* Does the variable change only by its name, because it is private to the iteration or no pointer
+ * to it exists? */
 static bool is_unreachable(const loop_analysis *j, const location *where) {
     const ir_variable *object = where->object;
     if (!object || !variable_is_automatic(object) || object->function != j->function)
@@ -23,9 +24,8 @@ static bool is_unreachable(const loop_analysis *j, const location *where) {
     return is_inside || !variable_escapes(j->an->facts, object);
 }
 
-/* The worst overlap of the read with any update of the array, whose updates may be of different
- * fields.
- */
+/* The worst overlap of the read with any update of the array; these updates may be of different
+ * fields. */
 static overlap overlap_with_array(const loop_analysis *j, const loop_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -54,7 +54,7 @@ static bool refuse_overlap(loop_analysis *j, const loop_access *read, const loop
     return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
 }
 
-/* Marks the read for the guard if its extent can be determined; else refuses the loop. */
+/* Marks the read for the guard if its extent can be determined; otherwise refuses the loop. */
 static bool check_guard(loop_analysis *j, loop_access *read) {
     if (source_plan_of(j, read, false).is_possible) {
         read->needs_guard = true;
@@ -72,8 +72,8 @@ static bool has_same_base(const location *a, const location *b) {
     return a->pointer && b->pointer && expression_same(a->pointer, b->pointer);
 }
 
-/* Do read and updated rows belong to one table, as rows[i][c] and rows[k][c] do? They overlap at
- * least if i == k. */
+/* Do the read and the updated rows belong to the same table, as rows[i][c] and rows[k][c] do? They
+ * overlap at least if i == k. */
 static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
                              const loop_array *array) {
     const ir_node *x = read->where.pointer, *y = array->where.pointer;
@@ -84,7 +84,7 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
     return table && expression_same(table, array->array.base);
 }
 
-/* The worst overlap with the scalars in memory that the loop accumulates into. */
+/* The worst overlap with scalars in memory that the loop accumulates into. */
 static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *other) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -101,8 +101,8 @@ static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
                            analysis_name(j, scalar->access.lvalue));
 }
 
-/* The addresses of guarded scalars are compared with all arrays, with each other, and with all
- * reads that may alias them; other writes must be proved disjoint. */
+/* Guarded scalars: at run time, their addresses are compared with all arrays, with each other, and
+ * with all reads that may alias them. All other writes must be proved disjoint from them. */
 static bool check_scalars_in_memory(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *scalar = &j->accesses[i];
@@ -116,7 +116,8 @@ static bool check_scalars_in_memory(loop_analysis *j) {
             const loop_access *other = &j->accesses[k];
             const bool is_own = other->access.lvalue && own_named(j, other->access.lvalue) >= 0;
             if (other->access.kind != ACCESS_READ && other->class != CLASS_REDUCTION &&
-                !other->is_scalar && !is_own && /* its first read is compared */
+                !other->is_scalar && !is_own && /* the first read of the own element is compared
+                                                 * instead */
                 accesses_overlap(j, other, scalar) != OVERLAP_NO)
                 return refuse_scalar(j, scalar);
         }
@@ -143,7 +144,8 @@ static bool check_reads(loop_analysis *j) {
                 (meets == OVERLAP_MAYBE && is_of_same_table(j, read, array)))
                 return refuse_overlap(j, read, array);
             if (has_same_base(&read->where, &array->where))
-                array->array.is_interleaved = true; /* another field, read through the same base */
+                array->array.is_interleaved = true; /* a different field is read through the same
+                                                     * base */
             read->meets_arrays |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
         }
         read->meets_scalars =

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * v = v0 + c (t - t0): if every iteration adds the same c to v, unconditionally, each
- * iteration can begin with a copy that has the sequential loop's value there, and execute its text
- * unchanged. The sum is computed modulo 2^64 and converted to v's type: the sequential loop has the
- * same value unless it overflows. If each iteration of an inner loop adds c, the same holds with
- * the number of inner iterations before t (triangle.h).
- */
+/* If every iteration adds the same c to v unconditionally, then in iteration number n, counted from
+ * 0,
+ *     v = v0 + c * n,
+ * where v0 is the value of v before the loop. Each iteration can begin with a copy that has this
+ * value, and execute its text unchanged. The value is computed modulo 2^64 and converted to v's
+ * type, so it equals the sequential loop's value unless that overflows. If instead each iteration
+ * of an inner loop adds c, n is the number of inner iterations before the current outer one
+ * (triangle.h). */
 #include "analysis/private/induction.h"
 
 #include <assert.h>
@@ -24,7 +25,7 @@ static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
            executed_certainly_in(j->loop->children[2], write);
 }
 
-/* Is it a pointer whose target has a known size, which is its step? */
+/* Is it a pointer to objects of a known size, not empty ones? */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
            type->target->kind != IR_VOID && type->target->size > 0;
@@ -39,8 +40,8 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
             !(declarator && ir_contains(j->loop, declarator)));
 }
 
-/* All steps of a variable must be made by the loop's iterations, or all by those of one inner loop.
- */
+/* Checks a step by an inner loop. Either all steps of a variable are made by iterations of the
+ * analysed loop, or all by those of the same inner loop. */
 static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool is_first,
                              private_variable *item) {
     triangle inner;
@@ -51,8 +52,8 @@ static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool 
     return true;
 }
 
-/* Sets the sum of all steps in the loop, at most one of them not constant; false: the loop writes
- * the variable otherwise, or the sum exceeds an int32_t. */
+/* Sets the sum of all steps in the loop. At most one of them may be not constant. Returns false if
+ * the loop writes the variable in another way, or if the sum does not fit into an int32_t. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     const loop_start *start = analysis_start_of(j, variable);
@@ -97,7 +98,8 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
     if ((!ir_type_is_plain_integer(variable->type) && !is_pointer(variable->type)) ||
         !is_of_function(j, variable) || !sum_steps(j, variable, &item))
         return false;
-    /* If the header does not set it, a later execution of the loop continues with the value. */
+    /* if the header does not set the variable, a later execution of the loop continues with its
+     * last value */
     item.is_step_wanted =
         !start || (!start->is_declared &&
                    variable_is_live_after(j->an->facts, j->an->openmp, j->loop, variable));
@@ -140,8 +142,8 @@ static bool take_steps(loop_analysis *j, const ir_node *part) {
     return true;
 }
 
-/* May the initialisation be made before the loop even if the original loop, which runs if a guard
- * fails, repeats it? Whether the variable is private is decided at its write in the loop. */
+/* May the variable be set before the loop, although the original loop, which runs if a guard fails,
+ * sets it again? Whether the variable is private is decided where the loop writes it. */
 static bool is_start_of_own(const loop_analysis *j, const loop_start *start) {
     const ir_variable *v = start->variable;
     return variable_is_automatic(v) && v->function == j->function && !v->address_taken &&

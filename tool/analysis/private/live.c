@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * Liveness of one variable after a loop: the possible first uses of it on the paths from the end of
- * the loop. Structured control only; a label anywhere in the function makes every
- * other occurrence count. With a compiled OpenMP directive in the function the variable counts
- * as live: clauses read variables and privatise them, which the tree does not show.
- */
+/* Determines the liveness of a variable after a loop, by finding its possible first uses on the
+ * paths from the end of the loop. Only structured control flow is followed. If the function has a
+ * label, every other occurrence counts as a use. If it has a compiled OpenMP directive, the
+ * variable counts as live, because the tree does not show that clauses read variables and make them
+ * private. */
 #include "analysis/private/live.h"
 
 #include <assert.h>
@@ -12,19 +11,19 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 
-/* Paths of control through a piece of the program up to the first use of the variable. A path that
- * first writes all of it, or ends the function, does not count. */
+/* How control may pass through a piece of the program, up to the first use of the variable. A path
+ * that first writes the whole variable, or that leaves the function, does not count. */
 typedef enum path {
-    PATH_READS = 1,    /* reads it first */
-    PATH_PASSES = 2,   /* reaches the following code without a use */
-    PATH_BREAKS = 4,   /* the same: reaches a break out of the piece */
-    PATH_CONTINUES = 8 /* the same: reaches a continue */
+    PATH_READS = 1,    /* reads the variable first */
+    PATH_PASSES = 2,   /* reaches the code after the piece without a use */
+    PATH_BREAKS = 4,   /* reaches a break out of the piece without a use */
+    PATH_CONTINUES = 8 /* reaches a continue out of the piece without a use */
 } path;
-typedef unsigned paths; /* of enum path */
+typedef unsigned paths; /* a set of `path` values */
 
 typedef struct search {
     const ir_variable *variable;
-    const ir_node *loop; /* the analysed one: its body reads no earlier value */
+    const ir_node *loop; /* the analysed loop, whose body reads no value from before it */
 } search;
 
 static paths paths_of(const search *s, const ir_node *node);
@@ -33,7 +32,7 @@ static paths then(paths first, paths second) {
     return first & PATH_PASSES ? (first & ~(paths)PATH_PASSES) | second : first;
 }
 
-/* Paths that end in these jumps continue after the piece. */
+/* Paths that end in one of these jumps continue after the piece. */
 static paths landed(paths all, paths jumps) {
     return all & jumps ? (all & ~jumps) | PATH_PASSES : all;
 }
@@ -47,13 +46,13 @@ static paths jumps_in(const ir_node *node) {
     return jumps;
 }
 
-/* Paths through code that is executed in an unknown order, if at all. */
+/* Paths through code that may be executed in any order, or not at all. */
 static paths any_paths(const search *s, const ir_node *node) {
     return PATH_PASSES | jumps_in(node) |
            (expression_mentions(node, s->variable) ? (paths)PATH_READS : 0);
 }
 
-/* Statements one after another; a switch may enter at its cases. */
+/* Paths through statements in their order. A switch may enter the sequence at a case. */
 static paths paths_in_order(const search *s, const ir_node *node) {
     paths all = PATH_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
@@ -63,7 +62,7 @@ static paths paths_in_order(const search *s, const ir_node *node) {
     return all;
 }
 
-/* Operands and initialisers, in any order. */
+/* Paths through operands or initialisers, which are evaluated in any order. */
 static paths paths_in_any_order(const search *s, const ir_node *node) {
     paths all = PATH_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
@@ -87,14 +86,15 @@ static paths paths_of_choice(const search *s, const ir_node *node) {
 
 /* ---- loops --------------------------------------------------------------------------------- */
 
-/* From the end of the body until the loop ends or the body begins again. */
+/* Paths from the end of the body until the loop ends or the body begins again. */
 static paths paths_of_step(const search *s, const ir_node *loop) {
     if (loop->kind == IR_FOR)
         return then(paths_of(s, loop->children[2]), paths_of(s, loop->children[1]));
     return paths_of(s, loop->children[loop->kind == IR_WHILE ? 0 : 1]);
 }
 
-/* From a point in the body until the loop ends; `all`: the paths from there to the body's end. */
+/* Paths from a point in the body until the loop ends. `all` are the paths from that point to the
+ * end of the body. */
 static paths paths_out(const search *s, const ir_node *loop, paths all) {
     const paths step = paths_of_step(s, loop);
     all = then(landed(all, PATH_CONTINUES), step);
@@ -180,7 +180,8 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
     return false;
 }
 
-/* The paths from the end of `node` to the end of its enclosing statement. */
+/* Paths from the end of `node` to the end of the node around it; `all` are the paths to the end of
+ * `node`. */
 static paths paths_after(const search *s, const ir_node *node, paths all) {
     const ir_node *parent = node->parent;
     if (ir_is_loop(parent) && node == ir_loop_body(parent))
@@ -207,7 +208,7 @@ bool variable_is_live_after(variable_facts *facts, const openmp_loop *openmp, co
     if (!variable->function || (text_openmp_in(unit->arena, unit, variable->function) &&
                                 !function_has_ignored_openmp(unit, variable->function)))
         return true;
-    /* The loop itself may be reached again, by a jump or in a loop around it. */
+    /* control may reach the loop itself again, by a jump or in a loop around it */
     if (!occurs_elsewhere(facts, loop, variable) && !(paths_of(&s, loop) & PATH_READS))
         return false;
     const ir_node *body = loop;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Variables of the loop other than its arrays: private ones with their last values, and those only
- * read. */
+/* Handles the loop's variables other than its arrays: private ones, with their last values, and
+ * those that are only read. */
 #include "analysis/private/privates.h"
 
 #include "analysis/base/expression.h"
 #include "analysis/private/live.h"
 
-/* Is the write a statement, k = e;? Then generated code can record the iteration after its copy
- * of the statement. */
+/* Is the write a statement such as k = e;? Generated code can then record the iteration after its
+ * copy of the statement. */
 static bool is_statement(const ir_node *write, const ir_variable *variable) {
     const ir_node *target = expression_written(write);
     const ir_node *statement = write->parent;
@@ -17,7 +17,7 @@ static bool is_statement(const ir_node *write, const ir_variable *variable) {
            !(statement->parent->kind == IR_FOR && statement->parent->children[3] != statement);
 }
 
-/* Is every assignment in the loop such a statement? */
+/* Is every assignment of the variable in the loop a separate statement? */
 static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     if (!ir_type_is_scalar(variable->type) || variable->type->is_volatile ||
@@ -59,16 +59,17 @@ static bool is_known(const loop_analysis *j, const ir_variable *variable) {
     return variable == j->counted.counter;
 }
 
-/* Does it name a const variable that may hold the address of a static object? gcc replaces it by
- * its initialiser, `&deleted`, which would then be the address of a copy. */
+/* Does the node name a const variable that may hold the address of a static object? gcc may replace
+ * the variable by its initialiser, such as `&deleted`, which would then be the address of a
+ * copy. */
 static bool is_constant_address(const ir_node *node) {
     const ir_type *type = node->kind == IR_VARIABLE ? node->variable->type : NULL;
     return type && type->is_const && node->variable->storage != IR_PARAMETER &&
            (type->kind == IR_POINTER || (type->kind == IR_INTEGER && type->size == 8));
 }
 
-/* Each thread may have a copy of a record or scalar that the loop only reads, unless the loop uses
- * its address: `if (entry[t] == &deleted)`. */
+/* May each thread have a copy of a variable that the loop only reads? Only scalars and records are
+ * copied, and only if the loop does not use their addresses, as in `if (entry[t] == &deleted)`. */
 static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     if (variable_written_in(j->an->facts, j->loop, variable) ||
         (!variable_is_automatic(variable) && ir_any(j->loop, is_constant_address)))
@@ -78,7 +79,7 @@ static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     return !variable->address_taken && variable->storage != IR_THREAD_LOCAL;
 }
 
-/* Does the loop write a thread-local scalar, or take its address? In another thread the name
+/* Does the loop write a thread-local scalar, or take its address? In another thread, the name
  * denotes another object. */
 static bool takes_thread_local_address(const loop_analysis *j, const ir_variable *variable) {
     return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The private variables of iterations. */
+/** Finds the variables that are private to iterations, and those that the loop only reads. */
 #ifndef ANALYSIS_PRIVATES_H
 #define ANALYSIS_PRIVATES_H
 
@@ -7,12 +7,14 @@
 
 typedef struct private_check {
     reason why;
-    private_list privates;  /* with the treatment of their last values */
-    variable_list captured; /* declared outside, only read in the loop, in order of use */
+    private_list privates;  /* includes how each gets its last value */
+    variable_list captured; /* variables declared outside that the loop only reads, in the order
+                             * of use */
     bool counter_is_live_after;
 } private_check;
 
-/** Decides how private variables get their last values; lists the other variables that are read. */
+/** Decides how private variables get their last values. Also lists the other variables that the
+ *  loop reads. */
 private_check check_privates(const loop_analysis *j);
 
 #endif

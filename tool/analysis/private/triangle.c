@@ -13,8 +13,9 @@ static bool may_skip_iterations(const ir_node *body) {
            ir_has_kind(body, IR_CASE) || ir_has_kind(body, IR_DEFAULT);
 }
 
-/* i or i + c: c in *offset. An unsigned sum with c = 1 does not wrap around: the counter itself
- * reaches i + 1. */
+/* Is it `i` or `i + c` for the counter i, which is `row`? Stores c, or 0, in *offset. An unsigned
+ * sum is permitted only with `c = 1`, which does not wrap around, because the counter itself
+ * reaches `i + 1`. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (expression_is_variable(node, row))
@@ -32,7 +33,7 @@ static bool is_number(const ir_type *type) {
     return ir_type_is_plain_integer(type) && type->size >= 4;
 }
 
-/* Is it an end of the counter's range whose conversion to the counter's type preserves its
+/* Is it an end of the counter's range, and does converting it to the counter's type preserve its
  * value? */
 static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_first) {
     int64_t constant;
@@ -42,7 +43,8 @@ static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_fir
            (end->type->size == counter->size || (counter->is_signed && !is_first));
 }
 
-/* Both counters must have one type, so that both count the same numbers. */
+/* Recognises the inner loop. Both counters must have the same type, so that both count the same
+ * numbers. */
 static bool recognise(const loop_analysis *j, ir_node *loop, triangle *it) {
     const ir_variable *row = j->counted.counter;
     const counted_result result = counted_recognise_with_others(loop);

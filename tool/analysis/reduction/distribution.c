@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * t[i + c] = v, or t[i + c] op= v, in the body's outermost block, or under a condition there on the
- * counter, the element and invariants, may be made after all iterations if
- * - each iteration reaches it: no `continue` (a `break` refuses the loop anyway);
- * - its subscript has a different value in each iteration, and the counter is the only changing
- *   operand of subscript, t and v: so the later stores are the same, in the same order;
- * - all other possible reads of the element are spelled t[i + c] too and precede the store in the
- *   same iteration: they find the same value;
- * - one of these reads is made in each iteration. Then the extent that is compared with each array
- *   at run time, as for all reads, contains all stored elements: no update goes to one of them.
- * Each element also has t's type when the store is made: reading it as another type, in any
- * iteration, is undefined (C17 6.5p7), since no store of the loop lies between.
- */
+/* A store t[i + c] = v or t[i + c] op= v may be made after all iterations under these conditions:
+ * - it is in the body's outermost block, or in a branch there whose condition uses only the
+ *   counter, the element and invariants;
+ * - each iteration reaches it: there is no `continue` (a `break` refuses the loop anyway);
+ * - its subscript has a different value in each iteration, and the counter is the only operand of
+ *   the subscript, t and v that changes. The stores made after the loop then store the same values
+ *   in the same order;
+ * - all other reads that may be of the element have the form t[i + c] too and precede the store in
+ *   the same iteration, so they find the same value;
+ * - one of these reads is made in each iteration. The extent that is compared with each array at
+ *   run time then contains all stored elements, so no update changes them. Each element also has
+ *   t's type when the store is made: since the loop makes no store before, reading it as another
+ *   type in any iteration is undefined (C17 6.5p7). */
 #include "analysis/reduction/distribution.h"
 
 #include "analysis/base/expression.h"
@@ -37,9 +37,9 @@ static bool may_be_distributed(const loop_analysis *j, const ir_node *statement)
            is_value(j, store->children[1]);
 }
 
-/* Does the expression have the same value after all iterations as at the store? Besides invariants
- * it may use only the counter and the element itself. Floating-point operations may round
- * differently in another copy, so it has none. */
+/* Does the expression have the same value after all iterations as at the store? It may use
+ * invariants, the counter and the element itself. It must not contain floating-point operations,
+ * because a second copy of these may round differently. */
 static bool is_repeatable(const loop_analysis *j, const ir_node *node, const ir_node *target) {
     if (expression_same(node, target) || expression_is_variable(node, j->counted.counter) ||
         analysis_is_fixed(j, node))
@@ -70,7 +70,7 @@ static void add_store(const loop_analysis *j, ir_node *statement, const ir_node 
     VECTOR_PUSH(j->an->memory, list, item);
 }
 
-/* if (t[i] != 0) { ...; t[i] = 0; } */
+/* Adds the stores under a condition, as in if (t[i] != 0) { ...; t[i] = 0; } */
 static void add_stores_if(const loop_analysis *j, const ir_node *branch, store_list *list) {
     if (branch->kind != IR_IF || branch->child_count != 2)
         return;
@@ -99,7 +99,7 @@ const distribution *distribution_find(const loop_analysis *j) {
     return result;
 }
 
-/* ---- may it be deferred? --------------------------------------------------------------------- */
+/* ---- may the store be deferred? -------------------------------------------------------------- */
 
 static bool is_read_before(const loop_access *read, const distributed_store *store) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&

@@ -10,7 +10,8 @@ static bool is_same_integer(const ir_type *a, const ir_type *b) {
            a->is_signed == b->is_signed;
 }
 
-/* The value with which the condition compares the target; NULL: it does not. */
+/* The value with which the condition compares the target; NULL if it does not compare the
+ * target. */
 static const ir_node *compared_with(const ir_node *condition, const ir_node *target,
                                     bool *target_is_less) {
     if (condition->kind != IR_BINARY || condition->op < IR_OP_LESS ||
@@ -26,7 +27,8 @@ static const ir_node *compared_with(const ir_node *condition, const ir_node *tar
     return is_left ? right : left;
 }
 
-/* The target becomes `stored` if the condition holds, else `kept`. */
+/* Classifies an update that gives the target the value `stored` if the condition is true, and
+ * otherwise `kept`. */
 static extremum selection(const ir_node *condition, const ir_node *target, const ir_node *stored,
                           const ir_node *kept) {
     bool target_is_less;

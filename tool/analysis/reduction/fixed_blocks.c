@@ -16,7 +16,7 @@ typedef struct search {
     const analyser *an;
     const ir_function *function;
     ir_node *loop;
-    const char *why; /* the first reason against it; NULL: none so far */
+    const char *why; /* the first reason against fixed blocks; NULL if none has been found */
 } search;
 
 static void refuse(search *s, const char *format, const char *name) {
@@ -36,7 +36,8 @@ static bool reduces_scalar(const search *s, const openmp_item *item) {
     return variable && variable->type->kind != IR_ARRAY;
 }
 
-/* The number of compiled OpenMP directives above the loop; *unread: a macro makes one of them. */
+/* The number of compiled OpenMP directives above the loop; *last becomes the last of them. Sets
+ * *unread if a macro produces one of them. */
 static unsigned directives_above(const search *s, const ir_directive **last, bool *unread) {
     const ir_unit *unit = s->an->unit;
     unsigned count = 0;
@@ -52,7 +53,8 @@ static unsigned directives_above(const search *s, const ir_directive **last, boo
     return count;
 }
 
-/* May a directive that is not understood reduce something? Only its text can be searched. */
+/* May a directive that is not understood reduce something? This is decided by searching its
+ * text. */
 static bool may_reduce(const openmp_directive *read, const ir_directive *d) {
     return read->kept && strstr(d->text, "reduction") != NULL;
 }
@@ -73,7 +75,8 @@ static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks)
         refuse(s, "'%s' is reduced, which is no plain number", item->text);
     else if (item->kind == OPENMP_OTHER_CLAUSE)
         refuse(s, "the clause '%s'", item->text);
-    else if (strcmp(item->word, "allocate") == 0) /* it names copies, which no clause makes then */
+    else if (strcmp(item->word, "allocate") == 0) /* the clause names copies, which no clause
+                                                   * would then create */
         refuse(s, "the clause 'allocate(%s)'", item->text);
     else if (item->kind == OPENMP_SCHEDULE)
         blocks->is_balanced = strstr(item->text, "static") != NULL;
@@ -95,7 +98,8 @@ static void read_items(search *s, fixed_blocks *blocks) {
 
 /* ---- the loop ------------------------------------------------------------------------------ */
 
-/* The position after the bracket that closes the loop's header; 0: the header is not plain text. */
+/* The position after the bracket that closes the loop's header; 0 if the header is not plain
+ * text. */
 static uint32_t header_end(const source *text, const ir_node *loop) {
     uint32_t at = loop->range.begin;
     if (strncmp(text->text + at, "for", 3) != 0 || source_is_name_byte(text->text[at + 3]))
@@ -114,7 +118,7 @@ static uint32_t header_end(const source *text, const ir_node *loop) {
     return 0;
 }
 
-/* Does a directive, also a conditional line, begin in the range? */
+/* Does a directive, which may be a conditional one, begin in the range? */
 static bool has_directive_in(const ir_unit *unit, ir_range range) {
     const unsigned next = loop_text_first_directive(unit, range.begin);
     return next < unit->directive_count && unit->directives[next].range.begin < range.end;
@@ -146,7 +150,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     return found.loop;
 }
 
-/* The inner loop of `collapse`, if blocks can divide it as well; or NULL. */
+/* The inner loop of a `collapse` clause, if blocks can divide it as well; otherwise NULL. */
 static const nested_blocks *find_inner(const search *s, const fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     ir_node *loop =
@@ -165,8 +169,8 @@ static const nested_blocks *find_inner(const search *s, const fixed_blocks *bloc
     return inner;
 }
 
-/* Is the function inline but not static? Then it cannot hold static data. `__inline__` counts,
- * `noinline` does not. */
+/* Is the function inline but not static? C does not permit static data in it. `__inline__` counts
+ * as inline, `noinline` does not. */
 static bool is_shared_inline(const ir_function *function, const source *text) {
     if (function->linkage.is_static)
         return false;
@@ -177,8 +181,8 @@ static bool is_shared_inline(const ir_function *function, const source *text) {
     return false;
 }
 
-/* Does a group of conditional directives contain the function's beginning, but not the loop? In
- * another compilation the function may begin differently, with other types. */
+/* Does a group of conditional directives contain the function's beginning but not the loop? In
+ * another compilation, the function may then begin differently, with other types. */
 static bool begins_under_condition(const search *s) {
     const ir_unit *unit = s->an->unit;
     int depth = 0;
@@ -220,8 +224,8 @@ static const char *lock_in(const ir_unit *unit, ir_range range) {
                                                     : NULL;
 }
 
-/* The counter is private without a clause. If it is declared outside of the loop, the directive for
- * the loop over blocks must name it. */
+/* Adds a private clause for the counter if it is declared outside of the loop. The original
+ * directive needs none, but the generated directive is above a loop over blocks. */
 static void name_counter(const search *s, fixed_blocks *blocks, const counted_loop *counted) {
     openmp_directive *read = &blocks->directive;
     VECTOR(openmp_item) items = {0};

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * A read may use the stored value if
- * - it follows the store in its block, so that the store was executed before it in this iteration,
- *   and is the same expression, whose operands do not change in between;
- * - no other write between the store and the read can be to that element. This is proved: a guard
- *   compares reads with each array, also the store's own, and would fail;
- * - it is in the text, so that a variable's name can replace it.
- * If other expressions read the same memory, the loop is refused; if they may, they are guarded.
- */
+/* A read may use the stored value if
+ * - it comes after the store in the store's block, so the store was executed before it in this
+ *   iteration;
+ * - it is the same expression as the store's target, and no operand changes in between;
+ * - no other write between the store and the read can change the element. This must be proved: a
+ *   guard, which compares reads with each array, would always fail for the array stored to;
+ * - it is in the loop's text, so that a variable's name can replace it.
+ * If other expressions certainly read the same memory, the loop is refused; if they may read it,
+ * they are guarded. */
 #include "analysis/reduction/forward.h"
 
 #include "analysis/base/expression.h"
@@ -18,7 +18,7 @@ static bool has_type(const ir_type *type) {
             type->kind == IR_BOOLEAN);
 }
 
-/* Is it made of constants, and of local scalars that change only by name? */
+/* Does the subscript consist of constants, and of local scalars that change only by name? */
 static bool is_simple_subscript(const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return variable_is_automatic(node->variable) && !node->variable->address_taken &&
@@ -32,8 +32,8 @@ static bool is_simple_subscript(const ir_node *node) {
     return expression_is_plain(node);
 }
 
-/* o[t], s->o[t].x, o[t][c]: only its subscripts differ from one place to another. Each array's
- * analysis checks that the pointers in its base are invariant. */
+/* Is it an element such as o[t], s->o[t].x or o[t][c], in which only subscripts can change? The
+ * analysis of each array checks that pointers in its base are invariant. */
 static bool is_simple_element(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -47,7 +47,7 @@ static bool is_simple_element(const ir_node *node) {
     }
 }
 
-/* Does the node, or a part of it, assign a subscript or pointer of the element? */
+/* Does the node, or a node below it, assign a subscript or pointer of the element? */
 static bool changes_address(const loop_analysis *j, const ir_node *element, const ir_node *node) {
     if (element->kind == IR_VARIABLE && ir_type_is_scalar(element->type) &&
         variable_written_in(j->an->facts, node, element->variable))
@@ -71,8 +71,8 @@ static const ir_node *value_of(const loop_access *store) {
                : NULL;
 }
 
-/* The store's statement, if no jump enters it or a later one of its block, and none of these but
- * the loop's own increment changes the element's address; or NULL. */
+/* The store's statement. NULL if a jump may enter it or a later statement of its block, or if one
+ * of these statements, other than the loop's own increment, changes the element's address. */
 static const ir_node *statement_of(const loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = value_of(store) ? target->parent->parent : NULL;
@@ -94,7 +94,7 @@ static const ir_node *statement_of(const loop_analysis *j, const loop_access *st
     return statement;
 }
 
-/* The statement of the block that contains `node`; NULL: it is elsewhere. */
+/* The statement of the block that contains `node`; NULL if the node is not in the block. */
 static const ir_node *statement_around(const ir_node *node, const ir_node *block) {
     while (node && node->parent != block)
         node = node->parent;
@@ -120,12 +120,12 @@ static bool reads_before_it_writes(const ir_node *statement, const loop_access *
            !write->access.callee && update->children[0] == write->access.node;
 }
 
-/* May the write come between the store and a read that uses its value? */
+/* May the write happen between the store and a read that uses the stored value? */
 static bool comes_between(const loop_analysis *j, const loop_access *write,
                           const ir_node *statement, const ir_node *target) {
     const ir_node *place = statement_around(write->access.node, statement->parent);
     if (!place || place->id < statement->id)
-        return false; /* before the store, or outside of its block */
+        return false; /* the write is before the store, or outside of its block */
     for (unsigned i = 0; i < j->access_count; i++) {
         const ir_node *read = j->accesses[i].access.node;
         if (!may_use_value(&j->accesses[i], statement, target))
@@ -137,8 +137,8 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
     return false;
 }
 
-/* Does no access other than the store and such reads certainly touch the element, and may no write
- * change it between them? */
+/* False if another access certainly touches the element, or if another write may change it between
+ * the store and a read that uses the stored value. The store itself and such reads do not count. */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
@@ -152,8 +152,8 @@ static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_
     return true;
 }
 
-/* Is the expression used only for its value wherever it occurs: not for an address, and only in
- * known reads? */
+/* Is every occurrence of the element in the loop a known read of its value, and none a use of its
+ * address? */
 static bool is_read_everywhere(const loop_analysis *j, const ir_node *statement,
                                const ir_node *target, const ir_node *node) {
     if (node != target && expression_same(node, target)) {

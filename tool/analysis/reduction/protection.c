@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * A loop below `parallel for` may be executed as a team of one thread executes it, in the order of
- * the sequential loop (OpenMP 4.5, 2.5.1 and 2.7.1: which thread executes which iterations, and
- * when, is open). Clauses make it differ from the loop without directives:
- *   - a private variable begins without a value, or with a copy, and the original keeps its value
- *     (openmp_keeps_value). So it must be a local variable that is reached only by its name: a
- *     pointer would lead to the original;
- *   - a reduced variable is a copy that begins with the neutral element. The result is the same if
- *     nothing in the loop reads it and all updates are by the clause's operator.
- */
+/* A loop under `parallel for` may be executed in sequential order, because a team of one thread
+ * would do so. OpenMP 4.5 (2.5.1, 2.7.1) leaves open which thread executes which iterations, and
+ * when. Only clauses make the loop differ from the same loop without directives:
+ * - A private variable begins without a value, or with a copy, and the original keeps its value
+ *   (openmp_keeps_value). It must therefore be a local variable that is reached only by its name: a
+ *   pointer would lead to the original.
+ * - A reduced variable is a copy that begins with the identity element. The result is the same if
+ *   nothing in the loop reads the variable and all updates use the clause's operator. */
 #include "analysis/reduction/protection.h"
 
 #include <string.h>
@@ -120,7 +118,7 @@ static const char *check_reduction(const loop_analysis *j, const openmp_item *it
     return found && occurs_in_updates_only(j, variable) ? NULL : message(j, other, item->text);
 }
 
-/* Does the loop accumulate in it, or in a part of it? */
+/* Does the loop accumulate into the variable, or into a part of it? */
 static bool is_accumulated(const loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const ir_node *target = j->scalars.items[i].target;
@@ -152,7 +150,8 @@ static const char *check_private(const loop_analysis *j, const openmp_item *item
     return NULL;
 }
 
-/* Generated code copies the clause's expression: all names in it must be variables. */
+/* Generated code copies the clause's expression, so all names in it must be variables. Returns the
+ * problem, or NULL. */
 static const char *check_expression(const loop_analysis *j, const openmp_item *item) {
     size_t length;
     for (const char *at = openmp_token(item->text, &length); length > 0;
@@ -179,7 +178,7 @@ static const char *check_item(const loop_analysis *j, const openmp_item *item, b
 
 /* ---- atomic and critical ------------------------------------------------------------------- */
 
-/* The outermost statement that begins at `place`. */
+/* The outermost statement that begins at `place`; NULL if there is none. */
 static const ir_node *statement_at(const ir_node *node, uint32_t place) {
     if (node->kind >= IR_BLOCK && node->range.begin == place)
         return node;
@@ -224,8 +223,8 @@ static const char *check_locks(const loop_analysis *j, bool *protects) {
 
 /* ---- `for` --------------------------------------------------------------------------------- */
 
-/* For `omp for`: one thread of the team executes the loop, or all do with that thread's variables.
- */
+/* Checks an `omp for`. redcc lets one thread of the team execute the loop, or lets all threads
+ * execute it with the variables of one of them. Returns the problem, or NULL. */
 static const char *check_team(const loop_analysis *j, const openmp_loop *openmp) {
     const openmp_directive directive = {OPENMP_FOR, openmp->item_count, openmp->items, NULL};
     team_facts facts;

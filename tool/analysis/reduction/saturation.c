@@ -10,7 +10,7 @@ static bool is_one(const ir_node *node) {
            value == 1;
 }
 
-/* R++, R += 1, R = R + 1 */
+/* Is it R++, ++R, R += 1, R = R + 1 or R = 1 + R? */
 static bool is_step_up(const ir_node *node, const ir_node *target) {
     const update_form form = update_form_of(node);
     if (!form.is_update || !form.has_operator || form.op != REDUCTION_SUM ||
@@ -27,18 +27,20 @@ static bool is_step_up(const ir_node *node, const ir_node *target) {
 
 static int64_t highest_of(const ir_type *type) {
     const int64_t bits = 8 * type->size - type->is_signed;
-    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is above it */
+    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is greater than
+                                                              * INT64_MAX */
 }
 
-/* Is the constant above 0, and are both operands compared without a conversion that changes one? */
+/* Is the constant greater than 0, and does the comparison convert neither operand to another
+ * value? */
 static bool compares_numbers(const ir_type *counter, const ir_node *constant, int64_t *value) {
     return constant->type && constant->type->kind == IR_INTEGER &&
            (constant->type->is_signed || !counter->is_signed) &&
            expression_constant(constant, value) && *value > 0;
 }
 
-/* R < C, R <= C - 1, or R != C if no value is above C; also with the operands swapped. Sets *limit
- * to C. */
+/* Is the condition R < C, R <= C - 1, or R != C where C is the type's greatest value? The operands
+ * may be swapped. Sets *limit to C. */
 static bool is_below(const ir_node *condition, const ir_node *target, int64_t *limit) {
     const bool reads_left =
         condition->child_count == 2 && expression_same(condition->children[0], target);

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * The compared values are stored, one per iteration, and compared in order after the loop, with the
- * sequential loop's comparison, so that NaNs, signed zeros and equal values have the same effect.
- */
+/* The compared values are stored, one per iteration. After the loop they are compared in order, by
+ * the same comparison as in the sequential loop, so NaNs, signed zeros and equal values have the
+ * same effect. */
 #include "analysis/reduction/scalar_extremum.h"
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/executed.h"
 
-/* Does the condition compare the value with s? Sets the operator of `value op s`. */
+/* Does the condition compare the value with s? Sets *op to the operator of `value op s`. */
 static bool compares(const ir_node *condition, const ir_node *value, const ir_variable *s,
                      ir_operator *op) {
     if (condition->kind != IR_BINARY || condition->op < IR_OP_LESS ||
@@ -20,7 +19,7 @@ static bool compares(const ir_node *condition, const ir_node *value, const ir_va
            expression_same(condition->children[side], value);
 }
 
-/* s = e > s ? e : s */
+/* Recognises s = e > s ? e : s, also with the branches exchanged. */
 static bool is_selection(const ir_node *assignment, scalar_update *found) {
     const ir_node *value = assignment->children[1];
     ir_variable *s = assignment->children[0]->variable;
@@ -43,7 +42,8 @@ static const ir_node *plain_assignment(const ir_node *statement) {
                : NULL;
 }
 
-/* One of the statements under the condition: s = e, or at = i. */
+/* Takes one of the statements under the condition: s = e, or at = i. Returns false if it has
+ * another form. */
 static bool take_statement(const loop_analysis *j, const ir_node *condition,
                            const ir_node *statement, scalar_update *found) {
     const ir_node *assignment = plain_assignment(statement);
@@ -63,7 +63,7 @@ static bool take_statement(const loop_analysis *j, const ir_node *condition,
     return is_place;
 }
 
-/* if (e > s) { s = e; at = i; } */
+/* Recognises if (e > s) { s = e; at = i; }. */
 static bool is_choice(const loop_analysis *j, const ir_node *choice, scalar_update *found) {
     const ir_node *then = choice->children[1];
     if (choice->child_count != 2)
@@ -76,7 +76,7 @@ static bool is_choice(const loop_analysis *j, const ir_node *choice, scalar_upda
     return found->variable != NULL;
 }
 
-/* Is it executed at most once in each iteration? */
+/* Is the statement executed at most once in each iteration? */
 static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
         if (!outer || ir_is_loop(outer))

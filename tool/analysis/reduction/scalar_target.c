@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * Updates of a scalar (scalars.h) are made after the loop, so nothing else in the loop may read
- * or write it. For members, elements and targets of pointers, this is proved or compared at run
- * time. An iteration that updates the object finds it with its type, so what reads its own memory
- * first is disjoint if it has another type (C17 6.5p7). A plain store of another type may follow
- * the last update (6.5p6).
- */
+/* Updates of a scalar (scalars.h) are made after the loop, so nothing else in the loop may read or
+ * write the scalar. For members, elements and targets of pointers this is proved, or checked at run
+ * time. An iteration with an update reads the object as a value of the object's type. An access of
+ * another type that begins with a read must therefore access other memory (C17 6.5p7). A plain
+ * store of another type, however, may follow the last update (6.5p6). */
 #include "analysis/reduction/scalar_target.h"
 
 #include "analysis/base/expression.h"
@@ -44,7 +42,8 @@ bool scalar_target_is_invariant(const loop_analysis *j, const ir_node *target) {
            !where.is_punned && !where.has_union && !where.has_bit_field;
 }
 
-/* Are these different elements by their constants: e[0] and e[1], m.x[2].y and m.x[0].y? */
+/* Are these elements that differ in a constant subscript, such as e[0] and e[1], or m.x[2].y and
+ * m.x[0].y? */
 static bool are_other_elements(const ir_node *a, const ir_node *b) {
     if (!a || !b || a->kind != b->kind)
         return false;

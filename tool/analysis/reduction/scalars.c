@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * If nothing else reads a scalar that the loop accumulates into, its value does not matter while
- * the loop runs. Each iteration keeps its operands; after the loop they are applied in order, which
- * gives the bits of the sequential loop. For a minimum or maximum they are the compared values
- * (scalar_extremum.c). An iteration may combine its integer operands: modulo 2^64 the result does
- * not depend on the order. For floating numbers in an inner loop each iteration keeps a series.
- */
+/* If nothing else reads a scalar that the loop accumulates into, the scalar's value does not matter
+ * while the loop runs. Each iteration stores its operands. After the loop they are applied in
+ * order, which gives the same bits as the sequential loop. For a minimum or maximum the operands
+ * are the compared values (scalar_extremum.c).
+ *
+ * An iteration may combine its integer operands, because modulo 2^64 the result does not depend on
+ * the order. For floating numbers in an inner loop, each iteration stores a series of operands. */
 #include "analysis/reduction/scalars.h"
 
 #include <assert.h>
@@ -19,7 +19,8 @@ static bool is_operator(ir_operator op) {
            op == IR_OP_BIT_OR || op == IR_OP_BIT_XOR;
 }
 
-/* s op= e, s = s op e, s = e + s, s = e * s, s++, s--: sets operator and operand. */
+/* Recognises s op= e, s = s op e, s = e + s, s = e * s, s++ and s--. Sets the operator and the
+ * operand. */
 static bool recognise(const ir_node *assignment, const ir_node *s, scalar_update *found) {
     if (assignment->kind == IR_UNARY) {
         found->op = assignment->op == IR_OP_PRE_INCREMENT || assignment->op == IR_OP_POST_INCREMENT
@@ -48,8 +49,8 @@ static bool is_narrow_floating(const ir_type *type) {
     return type->kind == IR_FLOATING && (type->size == 4 || type->size == 8);
 }
 
-/* Sets the type of the operation, to which the operand is converted; false: it has no operand_type.
- * Only an integer's value modulo 2^64 matters. */
+/* Sets the type of the operation, to which the operand is converted. Returns false if it has no
+ * operand_type. Of integers only the value modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
@@ -71,13 +72,13 @@ static bool find_operand_type(scalar_update *found) {
     return true;
 }
 
-/* do { ... } while (0), as in macros. */
+/* Is it do { ... } while (0), as in macros? */
 static bool is_executed_once(const ir_node *loop) {
     int64_t again;
     return loop->kind == IR_DO && expression_constant(loop->children[1], &again) && !again;
 }
 
-/* Is it executed at most once in each iteration? */
+/* Is the statement executed at most once in each iteration? */
 static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
         if (!outer || (ir_is_loop(outer) && !is_executed_once(outer)))
@@ -85,8 +86,9 @@ static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statem
     return true;
 }
 
-/* Does the statement write anything else? Local objects that a called function writes do not count,
- * as in s += energy(x, stress): that they are private is shown as for all writes. */
+/* Does the statement write anything else? Local objects that a called function writes, as in
+ * `s += energy(x, stress)`, do not count here: like all written variables, they must be proved
+ * private. */
 static bool has_other_write(const loop_analysis *j, const ir_node *statement,
                             const loop_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -124,7 +126,8 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
         return false;
     for (unsigned i = 0; i < j->scalars.count; i++)
         if (j->scalars.items[i].statement == found.statement)
-            return true; /* if (e > s) { s = e; at = i; } is one update */
+            return true; /* both assignments in if (e > s) { s = e; at = i; } belong to one
+                          * update */
     mark_own(j, found.statement, found.variable);
     if (found.place)
         mark_own(j, found.statement, found.place);
@@ -132,8 +135,8 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     return true;
 }
 
-/* Is the target an object from outside the loop, the same in all iterations? *is_guarded: other
- * accesses may alias it. */
+/* Is the target an object from outside the loop that is the same in all iterations? Sets
+ * *is_guarded if other accesses may alias it. */
 static bool is_scalar(const loop_analysis *j, const loop_access *write, bool *is_guarded) {
     const ir_node *target = write->access.lvalue;
     if (target->kind == IR_VARIABLE) {
@@ -153,7 +156,7 @@ static bool have_same_target(const scalar_update *a, const scalar_update *b) {
     return expression_same(a->target, b->target);
 }
 
-/* If one update of a scalar has a series, the operands of all its updates belong to that series. */
+/* If one update of a scalar has a series, the operands of all updates of that scalar go into it. */
 static void join_series(loop_analysis *j, scalar_update *found) {
     for (unsigned i = 0; i < j->scalars.count; i++)
         found->is_series |=
@@ -208,19 +211,20 @@ static const char *name_of(const loop_analysis *j, const scalar_update *update) 
     return expression_text(j->an->memory, update->target);
 }
 
-/* Additions and subtractions commute with each other; any other operator only with itself. */
+/* Can updates by these operators be exchanged? Additions and subtractions can; any other operator
+ * only with itself. */
 static bool commute(ir_operator a, ir_operator b) {
     const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
     return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
 }
 
-/* Can one operation combine the operands of both updates? */
+/* Can the operands of both updates be in one series, with the same operator and type? */
 static bool is_of_series(const scalar_update *other, const scalar_update *repeated) {
     return !other->is_extremum && other->op == repeated->op && other->operand == repeated->operand;
 }
 
-/* Operands that an iteration combines must commute with the scalar's other updates; those of a
- * series must have one operator and type. */
+/* Checks an update in an inner loop. Operands that an iteration combines must commute with the
+ * scalar's other updates. Operands of a series must have the same operator and type. */
 static reason check_repeated(const loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
@@ -232,8 +236,8 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
     return (reason){0};
 }
 
-/* Checks that only its updates name the member, element or pointer's target. scalar_target_overlap
- * has compared it with other expressions. */
+/* Checks that only its updates name this member, element or pointer's target. scalar_target_overlap
+ * has already compared it with other expressions. */
 static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -244,8 +248,8 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* Checks that the variable is accessed only by its updates; the `place` of an extremum only by this
- * one. Possible aliases of a guarded one are compared at run time (sources.c). */
+/* Checks that only its updates access the variable, and for the `place` of an extremum, only this
+ * update. If the scalar is guarded, possible aliases are compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

@@ -13,14 +13,15 @@ typedef struct team_loop {
     const ir_node *loop;
     const openmp_directive *directive;
     const ir_variable *counter;
-    const ir_node *region;  /* the statement below `parallel`; NULL: in a caller */
-    openmp_directive above; /* `parallel` */
+    const ir_node *region;  /* the statement under `parallel`; NULL if the region is in a
+                             * caller */
+    openmp_directive above; /* the `parallel` directive */
     bool is_outermost;
 } team_loop;
 
 /* ---- the region ---------------------------------------------------------------------------- */
 
-/* The last compiled OpenMP directive directly above the statement. */
+/* The last compiled OpenMP directive directly above the statement; NULL if there is none. */
 static const ir_directive *directive_above(const ir_unit *unit, const ir_node *statement) {
     const ir_directive *last = NULL;
     for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, statement));
@@ -33,7 +34,8 @@ static const ir_directive *directive_above(const ir_unit *unit, const ir_node *s
     return last;
 }
 
-/* Finds the innermost `parallel` around the loop, and whether no directive is around it in turn. */
+/* Finds the innermost `parallel` around the loop. Clears is_outermost if another directive encloses
+ * that region. */
 static void find_region(team_loop *it) {
     const ir_unit *unit = it->an->unit;
     for (const ir_node *node = it->loop->parent; node && node != it->function->body;
@@ -71,7 +73,7 @@ static const ir_variable *named_by(const team_loop *it, const openmp_item *item)
     return openmp_variable(it->an->unit, it->loop, it->function, item->text);
 }
 
-/* Is it the counter, named by a clause of the loop, or declared in the loop? */
+/* Is the variable the loop's counter, named by a clause of the loop, or declared in the loop? */
 static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
     for (unsigned i = 0; i < it->directive->item_count; i++)
         if (it->directive->items[i].kind <= OPENMP_REDUCTION &&
@@ -81,7 +83,8 @@ static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
            (variable->function == it->function && is_in(variable->range, it->loop->range));
 }
 
-/* A private variable in which a thread may keep a value from one loop to the next; NULL: none. */
+/* A private variable in which a thread may keep a value from one loop to the next; NULL if there is
+ * none. */
 static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     if (node->kind == IR_VARIABLE && is_private(it, node->variable) &&
         !is_of_loop(it, node->variable))
@@ -92,8 +95,8 @@ static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     return found;
 }
 
-/* Does it name, outside of the loop, a function that may distribute iterations, or a thread-local
- * variable, by which a thread may know its number? */
+/* Outside the loop, does the node name a function that may distribute iterations, or a thread-local
+ * variable from which a thread may learn its number? */
 static bool may_call_loops(const team_loop *it, const ir_node *node) {
     if (node == it->loop)
         return false;
@@ -108,8 +111,8 @@ static bool may_call_loops(const team_loop *it, const ir_node *node) {
     return false;
 }
 
-/* Does a compiled directive of the region, other than the loop's, contain the word, or may a macro
- * make one? */
+/* Does a compiled directive of the region, other than the loop's own, contain the word, or may a
+ * macro produce one that does? */
 static bool region_has_word(const team_loop *it, const char *word) {
     const ir_unit *unit = it->an->unit;
     const ir_range region = it->region->range;
@@ -119,14 +122,14 @@ static bool region_has_word(const team_loop *it, const char *word) {
            text_pragma_macro(it->an->memory, unit, region);
 }
 
-/* Is it the only loop that the region's team shares? */
+/* Is this the only loop that the region's team shares? */
 static bool is_alone(const team_loop *it) {
     return it->region && !may_call_loops(it, it->region) && !region_has_word(it, "for");
 }
 
 /* ---- the verdict --------------------------------------------------------------------------- */
 
-/* Are the function's variables shared by the region, without being named? */
+/* Does the region share the function's variables even if no clause names them? */
 static bool is_shared_by_default(const team_loop *it) {
     for (unsigned i = 0; i < it->above.item_count; i++)
         if (strcmp(it->above.items[i].word, "default") == 0 &&
@@ -176,7 +179,7 @@ const char *team_of_loop(const analyser *an, const ir_function *function, const 
     for (unsigned i = 0; i < directive->item_count; i++) {
         const openmp_item *item = &directive->items[i];
         const ir_variable *variable = item->kind == OPENMP_REDUCTION ? named_by(&it, item) : NULL;
-        /* each thread may have its own pointer to the reduced array */
+        /* a pointer to the reduced array may be private to each thread */
         if (variable && variable->type->kind != IR_POINTER && is_private(&it, variable))
             return arena_format(an->memory, "'%s' is not shared by the team", variable->name);
     }

@@ -9,8 +9,8 @@
 
 /* ---- the base ------------------------------------------------------------------------------- */
 
-/* row[1] or p->x, with double *row = b[k] or p = &b[k] in the loop: that definition has the base.
- */
+/* An example is row[1] or p->x after double *row = b[k] or p = &b[k] in the loop. That definition
+ * contains the base. */
 bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update) {
     const ir_node *target = update->access.form.target;
     const ir_node *base = update->where.base;
@@ -27,7 +27,7 @@ static bool base_is_invariant(const loop_analysis *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
-/* Is it a local table into which the loop may store pointers? They may differ in each iteration,
+/* Is the table local, and may the loop store pointers to it? They could differ in each iteration,
  * and depend on data that are not compared when a plan is reused. */
 static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
@@ -58,20 +58,20 @@ const ir_node *update_table_of(const loop_analysis *j, const ir_node *base) {
     return NULL;
 }
 
-/* Each iteration finds the elements through pointers from an invariant table. Writes are checked by
- * address; no element's address is evaluated before the loop. */
+/* Handles elements that each iteration finds through pointers from an invariant table. Writes are
+ * then checked by address, and no element's address is computed before the loop. */
 static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *target,
                         const char *name) {
     const ir_node *table = update_table_of(j, base);
     if (!table)
         return analysis_refuse(j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES,
                                target, name);
-    if (!ir_type_is_scalar(target->type)) /* an owner might own only a part of it */
+    if (!ir_type_is_scalar(target->type)) /* a thread might own only a part of the element */
         return analysis_refuse(j, REASON_ROW_POINTERS, target, name);
     return true;
 }
 
-/* Does this update of a fixed element, h[0]++, belong to an array whose first update has a varying
+/* Is this an update of a fixed element, h[0]++, of an array whose first update has a varying
  * subscript, h[k]++? */
 static bool is_updated_besides(const loop_analysis *j, const loop_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
@@ -126,7 +126,7 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
         if (known->array.is_scattered != (table != NULL) ||
             !expression_same(known->array.base, base))
             continue;
-        /* One base denotes one array; different fields of its elements are disjoint. */
+        /* the same base means the same array; different fields of it are disjoint */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
         bool other_type = !ir_type_equal(known->array.element, update->access.type);
         bool other_limit = known->array.limit != kind.limit;
@@ -152,8 +152,8 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
     return true;
 }
 
-/* Compares the update with the array's others: add_array compared it only with the first, which may
- * be of another field. */
+/* Compares the update with all others of the array. add_array compared it only with the first,
+ * which may be of another field. */
 static bool check_neighbours(loop_analysis *j, const loop_access *update, update_kind kind,
                              loop_array *array, unsigned number) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -176,11 +176,11 @@ bool update_array_find(loop_analysis *j, const loop_access *update, update_kind 
 }
 
 /* ---- rows behind pointers to records ---------------------------------------------------------
- * p = &b[k]; ... p->x += v: the row is b[k].x, if k has not changed since. This spelling shows
- * spans.c how the row steps.
- */
+ * After p = &b[k], the row of an update p->x += v is b[k].x if k has not changed since. Spelled
+ * like this, it shows spans.c how the row steps. */
 
-/* Is it a sum of numbers, the loop's counter, and local variables that the body writes by name? */
+/* Is the subscript a sum of numbers, the loop's counter, and local variables that the body writes
+ * by name? */
 static bool is_of_iteration_alone(const loop_analysis *j, const ir_node *index) {
     if (index->kind == IR_VARIABLE)
         return !index->variable->address_taken && variable_is_automatic(index->variable) &&
@@ -218,7 +218,8 @@ static bool is_made_before(const loop_analysis *j, const ir_node *element,
            !writes_any_of(block, element->children[1]);
 }
 
-/* For an update through p = &b[k]: b[k]; NULL: another form, or k may have changed. */
+/* The element b[k] for an update through p = &b[k]. NULL if the pointer has another form, or if k
+ * may have changed. */
 static const ir_node *element_of_pointer(const loop_analysis *j, const loop_access *update,
                                          const ir_node *statement) {
     if (!update_is_by_local_pointer(j, update) || !base_is_invariant(j, update->where.base))
@@ -236,7 +237,8 @@ static const ir_node *element_of_pointer(const loop_analysis *j, const loop_acce
                : NULL;
 }
 
-/* `p->x` spelled by the element that p points to: b[k].x. The target itself if its form differs. */
+/* The target p->x spelled as b[k].x, using the element to which p points. The target itself if it
+ * has another form. */
 static const ir_node *spelled_by_element(const loop_analysis *j, const ir_node *target,
                                          const ir_node *element) {
     const ir_variable *pointer = ir_root_variable(target);
@@ -266,7 +268,7 @@ void update_array_add(loop_analysis *j, loop_access *update, update_kind kind,
     update->op = kind.op;
     for (unsigned i = 0; i < j->updates.count; i++)
         if (j->updates.items[i].statement == statement)
-            return; /* if (R < v) R = v; else R = 0; is one update */
+            return; /* all writes in if (R < v) R = v; else R = 0; belong to one update */
     reduction_array *array = &j->arrays.items[number].array;
     reduction_update item = {.statement = statement,
                              .target = target,

@@ -4,8 +4,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-/* ---- inside of the memory that the parameter points to ----------------------------------------
- */
+/* ---- inside the parameter's target ----------------------------------------------------------- */
 
 static bool is_parameter(const ir_node *node, const ir_variable *parameter) {
     return node->kind == IR_VARIABLE && node->variable == parameter;
@@ -16,7 +15,7 @@ static bool is_subscript_below(const ir_node *subscript, int64_t count) {
     return count > 0 && counted_range(subscript, &low, &high) && low >= 0 && high < count;
 }
 
-/* Is it *(T (*)[n])p with a p to T: the n elements that begin at p (callee_terms.c)? */
+/* Is it *(T (*)[n])p with a pointer p to T: the n elements that begin at p (callee_terms.c)? */
 static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *cast = lvalue->children[0];
     return cast->kind == IR_CAST && is_parameter(cast->children[0], parameter) &&
@@ -24,7 +23,7 @@ static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
            ir_type_equal(lvalue->type->target, parameter->type->target);
 }
 
-/* Do all bytes of the lvalue lie in the `size` bytes that the parameter points to? */
+/* Are all bytes of the lvalue inside the first `size` bytes to which the parameter points? */
 static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int64_t size) {
     const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
     if (!child || !lvalue->type || lvalue->type->size <= 0 || lvalue->type->size > size)
@@ -52,7 +51,7 @@ static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int
 
 /* ---- the element or row ---------------------------------------------------------------------- */
 
-/* The lvalue to which the argument points; NULL: unknown. */
+/* The lvalue to which the argument points; NULL if it is unknown. */
 static const ir_node *pointed_element(const loop_analysis *j, const ir_node *argument) {
     if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
         return argument->children[0];
@@ -82,7 +81,8 @@ static bool points_to(const ir_type *pointer, const ir_type *target) {
 
 /* ---- the call -------------------------------------------------------------------------------- */
 
-/* The parameter through which everything is written; NULL: no single one is certain. */
+/* The only parameter through which the function writes. NULL if there are several, or if it writes
+ * elsewhere. */
 static const ir_variable *written_parameter(const access_list *known) {
     const ir_variable *found = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -106,7 +106,7 @@ static bool writes_within(const access_list *known, const ir_variable *parameter
     return true;
 }
 
-/* p->v, p->m.v, p->m->v: a member behind a parameter that points to a record. */
+/* Is it a member p->v, p->m.v or p->m->v of a record to which a parameter points? */
 static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
     if (node->kind != IR_MEMBER || !node->type)
         return false;
@@ -115,8 +115,8 @@ static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
            is_member_of(record, parameter);
 }
 
-/* Does it consist of parameters that are numbers, and of integer members of the record that
- * `parameter` points to? */
+/* Does the expression consist of parameters that are numbers, and of integer members of the record
+ * to which `parameter` points? */
 static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) {
     if (node->kind == IR_VARIABLE)
         return node->variable->storage == IR_PARAMETER && ir_type_is_scalar(node->type) &&
@@ -132,8 +132,8 @@ static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) 
     return true;
 }
 
-/* p[k], p[k][c], p->v[k]: a scalar element behind the parameter, with subscripts that the caller
- * can compute as well. */
+/* Is it a scalar element p[k], p[k][c] or p->v[k] behind the parameter, with subscripts that the
+ * caller can compute too? */
 static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *node = lvalue;
     while (node->kind == IR_INDEX && is_of_parameters(node->children[1], parameter)) {
@@ -148,8 +148,8 @@ static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter
     return false;
 }
 
-/* add_at(h, k, v): the one element that each call writes, in the function's terms; NULL: a call may
- * write none, more, or elsewhere. */
+/* The one element that each call writes, as in add_at(h, k, v), expressed by the function's
+ * parameters. NULL if a call may write none, several or other memory. */
 static const ir_node *written_element(const access_list *known, const ir_variable *parameter) {
     const ir_node *element = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -171,11 +171,11 @@ static const ir_node *argument_for(const ir_node *call, const ir_variable *param
     return NULL;
 }
 
-/* The memory that a call writes, in its function's terms: one element, or the first bytes that
- * a parameter points to. */
+/* The memory that a call writes, expressed by the function's parameters: one element, or the first
+ * `size` bytes to which a parameter points. */
 typedef struct written_part {
     const ir_variable *parameter;
-    const ir_node *element; /* NULL: the first `size` bytes */
+    const ir_node *element; /* NULL if it is the first `size` bytes */
     int64_t size;
 } written_part;
 
@@ -184,8 +184,9 @@ static bool is_in_part(const ir_node *lvalue, const written_part *part) {
                          : lies_within(lvalue, part->parameter, part->size);
 }
 
-/* Is the target no _Bool, and no integer updated by another type? Otherwise each update converts
- * its result, so that the order matters. */
+/* Can the updates be exchanged, as far as types are concerned? Not if the target is a _Bool, or an
+ * integer that is updated by a value of another kind: each update then converts its result, so the
+ * order matters. */
 static bool keeps_type(const update_form *form) {
     const ir_type *type = form->target->type;
     return type && type->kind != IR_BOOLEAN &&
@@ -193,7 +194,8 @@ static bool keeps_type(const update_form *form) {
             (form->value->type && form->value->type->kind == IR_INTEGER));
 }
 
-/* Sets the operator, if all writes are updates by one (*d += e) and nothing else reads the part. */
+/* Sets the operator, if all writes are updates by one operator (*d += e) and nothing else reads
+ * this memory. */
 static void find_operator(const access_list *known, const written_part *part, update_call *found) {
     unsigned writes = 0;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -219,7 +221,8 @@ static const access_list *summary_of(const loop_analysis *j, const ir_node *call
     return known && !known->problems.count ? known : NULL;
 }
 
-/* The target of a call that gets the address of an element or row: add(&h[k], v). */
+/* The target of a call that receives the address of an element or row, as in add(&h[k], v);
+ * otherwise NULL. */
 static const ir_node *target_by_address(const loop_analysis *j, const ir_node *call,
                                         const access_list *known, written_part *part) {
     const ir_variable *parameter = part->parameter;
@@ -231,7 +234,8 @@ static const ir_node *target_by_address(const loop_analysis *j, const ir_node *c
     return target;
 }
 
-/* Is the array a member of the argument's record, so that the call's text does not name it? */
+/* Is the array a member of the record to which the argument points, so that the call's text does
+ * not name the array? */
 static bool is_by_member(const written_part *part) {
     const ir_node *base = part->element;
     while (base && base->kind == IR_INDEX)
@@ -239,14 +243,15 @@ static bool is_by_member(const written_part *part) {
     return base && base->kind == IR_MEMBER;
 }
 
-/* The target of a call that gets an array and separate subscripts: add_at(h, k, v). */
+/* The target of a call that receives an array and separate subscripts, as in add_at(h, k, v);
+ * otherwise NULL. */
 static const ir_node *target_by_subscript(const loop_analysis *j, const ir_node *call,
                                           const access_list *known, written_part *part) {
     const ir_node *array = argument_for(call, part->parameter);
     part->element = written_element(known, part->parameter);
     if (!part->element)
         return NULL;
-    /* With &s.x only the one object is certain to exist. */
+    /* for an argument &s.x, only that one object is certain to exist */
     if (!is_by_member(part) && array->kind == IR_UNARY && array->op == IR_OP_ADDRESS)
         return NULL;
     const ir_node *target = ir_substitute(j->an->memory, part->element, call->children[0]->function,
@@ -254,7 +259,8 @@ static const ir_node *target_by_subscript(const loop_analysis *j, const ir_node 
     return expression_is_plain(target) ? target : NULL;
 }
 
-/* The element or row in the caller's terms; NULL: the call is no update of either form. */
+/* The element or row that the call updates, expressed by the caller's variables; NULL if the call
+ * is no update of either form. */
 static const ir_node *target_of(const loop_analysis *j, const ir_node *call,
                                 const access_list *known, written_part *part) {
     *part = (written_part){.parameter = written_parameter(known)};
@@ -279,7 +285,7 @@ update_call update_call_of(const loop_analysis *j, const ir_node *call) {
     return found;
 }
 
-/* A call's accesses are listed in the order of its function's summary, each with the call as its
+/* The call's accesses are in the order of the function's summary, and each has the call as its
  * node. */
 void update_call_mark_reads(loop_analysis *j, const update_call *update) {
     const ir_node *call = update->statement->children[0];

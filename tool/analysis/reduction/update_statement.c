@@ -3,8 +3,8 @@
 
 #include "analysis/base/expression.h"
 
-/* Is the element read each time that the expression is evaluated? Then its address may be computed
- * before the expression. */
+/* Does every evaluation of the expression read the element? Then its address can be computed before
+ * the expression. */
 static bool always_reads(const ir_node *node, const ir_node *element) {
     if (expression_same(node, element))
         return true;
@@ -31,8 +31,8 @@ static bool is_write_of(const ir_node *expression, const ir_node *element) {
     return written && expression_same(written, element);
 }
 
-/* Do all its statements, apart from blocks and conditions, assign the element? Expressions may have
- * other effects. */
+/* Do all statements in it assign the element? Blocks and conditions do not count. Expressions in it
+ * may have other effects. */
 static bool writes_only(const ir_node *statement, const ir_node *element) {
     switch (statement->kind) {
     case IR_EMPTY:

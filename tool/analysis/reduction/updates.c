@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Every write of the loop: private to the iteration, a step of an induction variable, an update
- * of a scalar or of a reduction array, a store to an own element, or refused. */
+/* Classifies every write of the loop. It may be private to the iteration, a step of an induction
+ * variable, an update of a scalar or of a reduction array, or a store to an own element. The loop
+ * is refused at the first write that is none of these. */
 #include "analysis/reduction/updates.h"
 
 #include "analysis/base/expression.h"
@@ -34,7 +35,7 @@ static bool is_own_object(const loop_analysis *j, const location *where) {
            where->object->function == j->function;
 }
 
-/* Is the variable the counter, or private? Adds a private one to the list. */
+/* Is the variable the counter, or private? A private variable is added to the list. */
 static bool take_private(loop_analysis *j, const ir_variable *variable) {
     if (variable == j->counted.counter || find_private(j, variable))
         return true;
@@ -64,7 +65,7 @@ static bool is_updated_too(const loop_analysis *j, const loop_access *store) {
     return false;
 }
 
-/* Is the stored memory read as an integer? Then it probably decides a subscript. */
+/* Is the stored memory read as an integer? Then the store probably changes subscripts. */
 static bool decides_subscripts(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -77,7 +78,8 @@ static bool decides_subscripts(const loop_analysis *j, const loop_access *store)
     return false;
 }
 
-/* A read of the stored memory by a statement that does not write the element read; NULL: none. */
+/* A read of the stored memory by a statement that does not write the same element; NULL if there is
+ * none. */
 static const loop_access *other_read(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -114,7 +116,7 @@ static bool refuse_variable(loop_analysis *j, const loop_access *store) {
     if (!is_scalar && store->access.lvalue->kind != IR_VARIABLE && !store->access.callee &&
         is_updated_too(j, store))
         return analysis_refuse(j, REASON_ARRAY_STORED, store->access.node, variable->name);
-    if (is_scalar && store->access.callee) /* a sum that a function adds to, acc(&s, v) */
+    if (is_scalar && store->access.callee) /* a sum to which a function adds, as in acc(&s, v) */
         return analysis_refuse(j, REASON_CALLEE_UPDATES, store->access.node,
                                store->access.callee->name);
     return analysis_refuse(j, is_scalar ? REASON_SCALAR_CARRIED : REASON_PRIVATE_NOT_PROVED, node,
@@ -127,15 +129,16 @@ static bool is_inside_node(const ir_node *outer, const ir_node *inner) {
     return inner && ir_contains(outer, inner);
 }
 
-/* h[*p++] += e, without a later use of p: each iteration begins with a private p. */
+/* Is the write a step as in h[*p++] += e, after which the iteration does not use p? Each iteration
+ * then begins with its own value of p. */
 static bool is_last_step(const loop_analysis *j, const ir_node *statement,
                          const loop_access *write) {
     const ir_node *step = write->access.callee ? NULL : write->access.node->parent;
     return step && statement->kind == IR_EXPRESSION && induction_is_last_step(j, statement, step);
 }
 
-/* Does the statement have effects besides the update? The owner-checked form would skip them, too.
- */
+/* Does the statement have effects besides the update? The owner-checked body would skip these
+ * too. */
 static bool has_other_effect(const loop_analysis *j, const ir_node *statement,
                              const loop_access *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -170,7 +173,7 @@ static bool check_element(loop_analysis *j, const loop_access *update, const cha
     return true;
 }
 
-/* Can the statement be enclosed in an ownership check that skips nothing else? */
+/* Can the statement be enclosed in a test of ownership, without anything else being skipped? */
 static bool check_place(loop_analysis *j, const loop_access *update, const ir_node *statement,
                         const char *name) {
     const ir_node *outer = statement->parent;
@@ -203,8 +206,8 @@ static bool reads_itself(const loop_analysis *j, const ir_node *statement, const
     return false;
 }
 
-/* Does each update convert the result to a narrower kind, a _Bool, an integer, a real number? Then
- * the order matters. */
+/* Does each update convert its result to a more restricted kind of number (_Bool, integer, real)?
+ * Then the order of the updates matters. */
 static bool rounds_to_integer(const ir_type *type, const ir_node *value) {
     if (type->kind == IR_BOOLEAN)
         return true;
@@ -234,7 +237,7 @@ static update_kind kind_of_update(const loop_analysis *j, const loop_access *upd
 static bool check_update(loop_analysis *j, loop_access *update) {
     const ir_node *statement;
     unsigned number;
-    const ir_node *target = update->access.lvalue; /* v in place of each v++ */
+    const ir_node *target = update->access.lvalue; /* the lvalue with v in place of each v++ */
     const char *name = analysis_name(j, target);
     if (update->where.base &&
         (is_inside_node(target, update->where.base) || update_is_by_local_pointer(j, update)))
@@ -245,8 +248,8 @@ static bool check_update(loop_analysis *j, loop_access *update) {
     if (!check_element(j, update, name) || !update_check_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
-    kind.needs_order |=
-        update_is_by_local_pointer(j, update); /* it does not point into a private copy */
+    kind.needs_order |= update_is_by_local_pointer(j, update); /* the pointer does not point into a
+                                                                * private copy */
     if (!update_array_find(j, update, kind, &number))
         return false;
     for (unsigned i = 0; i < j->access_count; i++)
@@ -268,7 +271,7 @@ static bool check_call(loop_analysis *j, loop_access *write) {
     const update_call found = update_call_of(j, write->access.node);
     if (!found.statement)
         return refuse_store(j, write);
-    loop_access update = *write; /* as if all of the element or row were written here */
+    loop_access update = *write; /* describes the call as a write of the whole element or row */
     update.access.lvalue = update.access.form.target = found.target;
     update.access.form.value = NULL;
     update.access.type = ir_type_innermost(write->access.type);
@@ -293,7 +296,8 @@ static bool check_call(loop_analysis *j, loop_access *write) {
     return true;
 }
 
-/* v = h[k]; v += e; h[k] = v: only the thread that owns the element executes these statements. */
+/* Checks an update of several statements, v = h[k]; v += e; h[k] = v. Only the thread that owns the
+ * element executes them. */
 static bool check_group(loop_analysis *j, loop_access *store, const update_group *group) {
     unsigned number;
     const ir_node *target = group->element;
@@ -336,8 +340,8 @@ static bool is_of_group(const loop_analysis *j, const loop_access *store, update
            update_group_of(j->an->facts, store->access.lvalue->parent, group);
 }
 
-/* A plain store, or a write by a call or a group. An element's last store counts, so the order is
- * kept. */
+/* Checks a plain store, or a write by a call or a group of statements. The last store to an element
+ * counts, so the order is kept. */
 static bool check_store(loop_analysis *j, loop_access *store) {
     if (store->access.callee)
         return check_call(j, store);
@@ -356,8 +360,8 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     return refuse_store(j, store);
 }
 
-/* Accepts a secondary counter that other statements read; if none does, its steps are a scalar sum.
- */
+/* Accepts a step of a secondary induction variable that other statements read. If none reads it,
+ * its steps are a scalar sum. */
 static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -373,7 +377,8 @@ static bool is_own_scalar(const loop_analysis *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
 }
 
-/* Does it write an element of an array: of the object itself, or of a member of a record? */
+/* Does the write go to an element of an array, which is the variable itself or a member of a
+ * record? */
 static bool is_in_array(const loop_access *write) {
     const ir_variable *object = write->where.object;
     const ir_node *base = write->where.base;
@@ -420,7 +425,8 @@ static bool check_write(loop_analysis *j, loop_access *write) {
     return is_update ? check_update(j, write) : check_store(j, write);
 }
 
-/* Refuses a read of an updated element: a more useful reason than a store in the same loop. */
+/* Refuses the loop if it reads an updated element. This gives a more useful reason than a store in
+ * the same loop. */
 static bool check_plain_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -437,7 +443,8 @@ static bool check_plain_reads(loop_analysis *j) {
 }
 
 static bool check_writes(loop_analysis *j) {
-    /* Irregular updates first: a reason to refuse one is more useful than one to refuse a store. */
+    /* irregular updates come first, because a reason to refuse one of these is more useful than a
+     * reason to refuse a store */
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
             loop_access *a = &j->accesses[i];

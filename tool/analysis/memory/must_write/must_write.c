@@ -3,9 +3,10 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    MOST_STEPS = 2000000,   /* of one query: some tens of milliseconds */
-    MOST_BYTES = 1 << 16,   /* of an object that is analysed */
-    PARAMETER_WINDOW = 4096 /* bytes analysed behind a pointer parameter */
+    MOST_STEPS = 2000000,   /* limit of the steps of one query. That many take some tens of
+                             * milliseconds */
+    MOST_BYTES = 1 << 16,   /* size of an object that can be analysed */
+    PARAMETER_WINDOW = 4096 /* bytes after the target of a pointer parameter that are analysed */
 };
 
 must_write *must_write_new(arena *a, const ir_unit *unit, const analysis_options *options) {
@@ -62,7 +63,8 @@ static const char *find_unfit(const ir_variable *variable) {
 typedef struct search {
     must_write *prover;
     const ir_node *body;
-    const ir_node *loop; /* the loop of the body, if the code after it never leads back to it */
+    const ir_node *loop; /* the loop whose body this is, if control never returns to it after it
+                          * has ended; otherwise NULL */
     const ir_variable *variable;
     const ir_node *found;
 } search;
@@ -73,7 +75,7 @@ static unsigned last_id(const ir_node *node) {
     return node->id;
 }
 
-/* The access path with the variable's node at the bottom: v, v[i], v.m[i]. */
+/* The access path that starts at the variable's node, such as v, v[i] or v.m[i]. */
 static const ir_node *access_path(const ir_node *node) {
     for (;;) {
         const ir_node *above = node->parent;
@@ -88,7 +90,7 @@ static const ir_node *access_path(const ir_node *node) {
     }
 }
 
-/* Is the variable's access path used as an address that may be stored? */
+/* Is the access path that starts at this node used as an address that may be stored? */
 static bool address_is_kept(search *find, const ir_node *node) {
     const ir_node *path = access_path(node);
     const ir_node *above = path->parent;
@@ -130,7 +132,7 @@ static bool note_loop_back(ir_node *node, void *context) {
     return true;
 }
 
-/* The loop of this body if the code after it never leads back to it. */
+/* The loop of this body, if control never returns to it after it has ended; otherwise NULL. */
 static const ir_node *loop_entered_once(const ir_node *body) {
     const ir_node *loop = body->parent;
     bool has_labels = false;
@@ -182,8 +184,8 @@ static mention find_mentions(const ir_node *body, const ir_variable *variable) {
     return m;
 }
 
-/* After an iteration a pointer into the private copy may remain in a variable: it must not be used
- * outside of the body. */
+/* Checks that pointers into the private copy end with the iteration. One may remain in a variable,
+ * which must then not be used outside of the body. */
 static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     for (unsigned i = 0; i < s->bindings.count; i++)
         if (s->bindings.items[i].value.kind == VALUE_POINTER) {
@@ -217,14 +219,15 @@ static bool bind_constant(ir_node *node, void *context) {
     return true;
 }
 
-/* Binds the constants declared outside the body, such as const int dimension = 3. */
+/* Binds constants that are declared outside the body with their values, as in
+ * `const int dimension = 3`. */
 static void bind_constants(const run *r, const ir_node *body, state *head) {
     constants known = {r->prover->scratch, body, head};
     ir_walk(r->function->body, bind_constant, &known);
 }
 
-/* Interprets iterations, each with nothing written, until the variables they leave to the next one
- * no longer change. Returns the state at an iteration's end. */
+/* Interprets iterations until the values that one iteration leaves to the next no longer change.
+ * Each iteration begins with no byte written. Returns the state at the end of an iteration. */
 static state interpret_iterations(run *r, const ir_node *body) {
     arena *a = r->prover->scratch;
     state head = state_new(a, r->size);
@@ -304,7 +307,8 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     return result;
 }
 
-/* May the function store the address? The object's size and the position in it do not matter. */
+/* May the function store the address? The object's size, and where in the object the address
+ * points, do not matter. */
 static bool keeps_address(must_write *prover, const ir_function *function, unsigned index) {
     value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count);
     arguments[index] = (value){VALUE_POINTER, false, 0};

@@ -13,19 +13,20 @@ enum { MOST_CALLS_DEEP = 32, MOST_ARGUMENTS = 64 };
 typedef struct known_access {
     bool is_write;
     unsigned argument;
-    int64_t size;           /* bytes */
-    unsigned size_argument; /* or, if size is 0, the argument with the size */
+    int64_t size;           /* number of bytes accessed; 0 if an argument gives it */
+    unsigned size_argument; /* if `size` is 0, the argument that gives the number of bytes */
 } known_access;
 
 typedef struct known_function {
     const char *name;
     unsigned access_count;
     known_access accesses[2];
-    bool is_gnu; /* it counts as the program's own unless a system header declares it */
+    bool is_gnu; /* it belongs to the C library only if a system header declares it or its name
+                  * begins with __ */
 } known_function;
 
-/* C17 7.12 and 7.24, and some of GNU's and POSIX'. None stores an address; memcpy, memmove, memset
- * and mempcpy return a pointer into their first argument. */
+/* Functions of C17 7.12 and 7.24, and some of GNU and POSIX. None of them stores an address.
+ * memcpy, memmove, memset and mempcpy return a pointer into their first argument. */
 static const known_function known_functions[] = {
     {"memset", 1, {{true, 0, 0, 2}}, false},
     {"memcpy", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}, false},
@@ -43,7 +44,8 @@ static const known_function known_functions[] = {
     {"remquof", 1, {{true, 2, 4, 0}}, false},
 };
 
-/* Names that C reserves, or, for GNU's, that the compiler reserves or a system header declares. */
+/* Does the function belong to the C library? C reserves these names; a name of GNU or POSIX must
+ * begin with __ or be declared by a system header. */
 static bool is_of_library(const ir_function *function, const known_function *known) {
     return !known->is_gnu || function->is_from_system || strncmp(function->name, "__", 2) == 0;
 }
@@ -137,7 +139,7 @@ static call_summary *find_summary(must_write *prover, const ir_function *functio
     return NULL;
 }
 
-/* The reason why the body cannot be interpreted with these arguments; NULL: it can. */
+/* Why the function's body cannot be interpreted with these arguments; NULL if it can. */
 static const char *find_obstacle(const ir_function *function, unsigned count,
                                  const value *arguments, unsigned depth) {
     if (function->body == NULL || function->linkage.is_weak)
@@ -226,7 +228,8 @@ static const ir_function *called_function(const ir_node *node) {
     return callee->kind == IR_FUNCTION ? callee->function : NULL;
 }
 
-/* The value of an integer parameter, if no conversion changes it. */
+/* The argument's value as the parameter has it. value_other for an integer that the conversion to
+ * the parameter's type may change. */
 static value as_parameter(const ir_function *function, unsigned index, value v) {
     if (v.kind != VALUE_INTEGER)
         return v;
@@ -253,8 +256,8 @@ static value call_summarised(run *r, state *s, const ir_node *node, const ir_fun
     return summary->result;
 }
 
-/* Evaluates the arguments, each with the state before all of them. Returns whether one of them
- * points to the object. */
+/* Evaluates the arguments, each in the state before all of them, because C does not fix their
+ * order. Returns whether one of them points to the object. */
 static bool evaluate_arguments(run *r, state *s, const ir_node *node, value *arguments) {
     const unsigned count = node->child_count - 1;
     bool is_passed = false;
@@ -281,8 +284,8 @@ value run_call(run *r, state *s, const ir_node *node) {
     if (count > MOST_ARGUMENTS)
         return run_give_up(r, node, "a call has too many arguments");
     if (!evaluate_arguments(r, s, node, arguments) || r->unknown != NULL)
-        return value_other; /* an object that is not passed cannot be reached: its address is not
-                             * stored */
+        return value_other; /* without a pointer argument, the callee cannot reach the object,
+                             * whose address is not stored */
     if (function == NULL)
         return run_give_up(r, node, "it is passed to a function that is not known");
     const known_function *known = find_known(function);

@@ -55,7 +55,7 @@ void run_write(run *r, state *s, const ir_node *node, int64_t begin, int64_t end
         byte_set_add(s->written, begin, end);
 }
 
-/* ---- operands whose order C leaves open ------------------------------------------------------ */
+/* ---- operands in unspecified order ----------------------------------------------------------- */
 
 typedef struct effect_search {
     bool is_found;
@@ -118,7 +118,7 @@ static value evaluate_assignment(run *r, state *s, const ir_node *node) {
     value v = run_evaluate(r, s, node->children[1]);
     run_end_unsequenced(&u, s);
     if (node->op != IR_OP_NONE) {
-        /* the tree shows only the target's type, not the one in which the result is computed */
+        /* the tree has only the target's type, not the type in which C computes the result */
         const ir_node sum = {.op = node->op,
                              .type = target->type,
                              .children = node->children,
@@ -158,7 +158,7 @@ static value evaluate_unary(run *r, state *s, const ir_node *node) {
         return evaluate_increment(r, s, node);
     case IR_OP_ADDRESS:
         p = run_locate(r, s, operand);
-        if (p.variable != NULL) /* then it may change other than by its name */
+        if (p.variable != NULL) /* the variable could then change through the pointer */
             return run_give_up(r, node, "the address of a variable is taken");
         if (p.kind == PLACE_OBJECT) {
             v.kind = VALUE_POINTER;
@@ -183,7 +183,7 @@ static value evaluate_unary(run *r, state *s, const ir_node *node) {
     }
 }
 
-/* a && b, a || b: b may be left out. */
+/* Evaluates a && b or a || b; b may be skipped. */
 static value evaluate_short_circuit(run *r, state *s, const ir_node *node) {
     const bool is_and = node->op == IR_OP_AND;
     const value left = run_evaluate(r, s, node->children[0]);
@@ -209,9 +209,9 @@ static value evaluate_binary(run *r, state *s, const ir_node *node) {
         run_discard(r, s, node->children[0]);
         return run_evaluate(r, s, node->children[1]);
     }
-    /* Chains like a + b + c nest on the left and may be long, so only the right operand is searched
-     * for effects. If it has none, it is evaluated first: writes of the left operand do not count
-     * for its reads. */
+    /* Chains such as a + b + c nest on the left and may be long, so only the right operand is
+     * searched for effects. If it has none, it is evaluated first: its reads must not rely on
+     * writes of the left operand. */
     if (!run_has_effects(r, node->children[1])) {
         const value right = run_evaluate(r, s, node->children[1]);
         return value_combine(node, run_evaluate(r, s, node->children[0]), right);
@@ -352,7 +352,7 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
         run_store(r, s, &target, &p, v);
 }
 
-/* ---- text that is not in the tree ------------------------------------------------------------ */
+/* ---- C text that the tree does not show ------------------------------------------------------ */
 
 static bool is_word_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -382,7 +382,7 @@ void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type
     const size_t length = node->range.end - node->range.begin;
     const bool is_object_declared_here = node->kind == IR_DECLARATOR && node->variable == r->object;
     if (type != NULL && memchr(begin, '[', length) == NULL)
-        run_give_up(r, node, why); /* the length is in a typedef */
+        run_give_up(r, node, why); /* the length is hidden in a typedef */
     if (!is_object_declared_here && text_mentions(begin, length, r->object->name))
         run_give_up(r, node, why);
     for (unsigned i = 0; i < s->bindings.count; i++)

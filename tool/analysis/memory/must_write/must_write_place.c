@@ -3,7 +3,7 @@
 
 static const place elsewhere = {PLACE_ELSEWHERE, false, 0, 0, 0, NULL};
 
-/* A local scalar that changes by its name only. */
+/* Is it a local scalar that changes only by name, so that its value can be tracked? */
 static bool is_followed(const run *r, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
@@ -92,7 +92,8 @@ place run_locate(run *r, state *s, const ir_node *node) {
         if (node->op == IR_OP_DEREFERENCE)
             return pointed_place(r, node, run_evaluate(r, s, node->children[0]));
         if (node->op == IR_OP_REAL || node->op == IR_OP_IMAG) {
-            p = run_locate(r, s, node->children[0]); /* half of it: which half does not matter */
+            p = run_locate(r, s, node->children[0]); /* half of a complex number; which half does
+                                                      * not matter here */
             p.variable = NULL;
             if (p.is_exact && node->children[0]->type->size >= 0) {
                 p.begin = p.offset;

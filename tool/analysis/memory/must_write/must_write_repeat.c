@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Elements that an earlier loop has written, whatever its bounds:
+/* Recognises reads of elements that an earlier loop has written, whatever the loops' bounds are:
  *
  *     for (x = lo; x <= hi; x++) w[x - lo] = weight(x);
  *     for (x = lo; x <= hi; x++) h[x] += w[x - lo];
  *
- * Loops with equal headers give their counters the same values, if nothing else in the header
- * changes between them and their bodies leave the counters alone. An equal subscript then names the
- * same elements, in the same order. The writer writes all of them, since it has no jumps; the
- * reader reads some.
+ * If two loops have equal headers, nothing in the headers changes between them, and their bodies do
+ * not write the counters, then both counters take the same values. Equal subscripts then name the
+ * same elements in the same order. The writing loop has no jumps, so it writes all of these
+ * elements; the reading loop may read only some.
  *
  *     for (p = w, x = lo; x <= hi; x++) *p++ = weight(x);
  *     for (q = w, x = lo; x <= hi; x++) h[x] += *q++;
  *
- * A pointer is a counter like others: its values are the same if it starts at the same address. A
- * counter may also be set before its loop, and stepped in the body, if each iteration does so once,
+ * A pointer counts as a counter too: it takes the same values if it starts at the same address. A
+ * counter may also be set before its loop and stepped in the body, if each iteration does so once,
  * after all other uses (must_write_walk.c). */
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
@@ -26,9 +26,11 @@ enum { MOST_COUNTERS = 4 };
 typedef struct twin_loops {
     const run *r;
     const ir_node *writer, *reader;
-    const ir_node *block; /* of the writer; the reader is in a later statement of it */
-    unsigned first, last; /* statements of the block: from the writer, or from an earlier one that
-                           * sets a counter, up to the one with the reader */
+    const ir_node *block; /* block that contains the writer; the reader is in a later statement of
+                           * this block */
+    unsigned first, last; /* numbers of statements in the block. The first is the writer, or an
+                           * earlier statement that sets a counter. The last contains the
+                           * reader */
     unsigned counter_count;
     struct {
         const ir_variable *of_writer, *of_reader;
@@ -39,7 +41,7 @@ static bool is_number_or_pointer(const ir_type *type) {
     return type && (ir_type_is_plain_integer(type) || type->kind == IR_POINTER);
 }
 
-/* A local integer or pointer that changes by its name only. */
+/* Is it a local integer or pointer that changes only by name? */
 static bool is_plain(const run *r, const ir_variable *variable) {
     return run_variable_place(r, variable).kind == PLACE_LOCAL &&
            is_number_or_pointer(variable->type);
@@ -61,15 +63,16 @@ static bool same_variable(const twin_loops *twins, const ir_variable *a, const i
 
 static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *b);
 
-/* &p[i] or &w[i] in both. */
+/* Are both &p[i] (or &w[i]) with equal arrays and subscripts? */
 static bool same_address_of(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     return a->children[0]->kind == IR_INDEX && b->children[0]->kind == IR_INDEX &&
            same_tree(twins, a->children[0]->children[0], b->children[0]->children[0]) &&
            same_tree(twins, a->children[0]->children[1], b->children[0]->children[1]);
 }
 
-/* Equal trees whose variables are counters of the two loops, or unchanged between them; the array's
- * own name is its address. Nothing in them reads memory. */
+/* Are the trees equal, if counters of the two loops count as equal and all other variables are
+ * unchanged between the loops? The array's own name counts as its address. Neither tree may read
+ * memory. */
 static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     if (expression_is_variable(a, twins->r->object))
         return expression_is_variable(b, twins->r->object) && a->type->kind == IR_ARRAY;
@@ -101,7 +104,8 @@ static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *
     return true;
 }
 
-/* a = value, and b = the same value, in the two headers. */
+/* Adds the counters a and b, which the writer's and the reader's header set to equal values.
+ * Returns false if this is not so. */
 static bool add_counter(twin_loops *twins, const ir_variable *a, const ir_node *start,
                         const ir_variable *b, const ir_node *other) {
     if (twins->counter_count == MOST_COUNTERS || !is_plain(twins->r, a) || !is_plain(twins->r, b) ||
@@ -136,7 +140,7 @@ static bool same_start(twin_loops *twins, const ir_node *a, const ir_node *b) {
     return true;
 }
 
-/* The pointer p of an element *p, *p++ or p[k]; NULL: it has another form. */
+/* The pointer p of an element *p, *p++ or p[k]; NULL if the element has another form. */
 static const ir_variable *pointer_of(const ir_node *element) {
     const ir_node *address = element->child_count ? element->children[0] : element;
     if (is_step_afterwards(address))
@@ -150,8 +154,8 @@ static bool header_sets(const ir_node *loop, const ir_variable *variable) {
            ir_declarator_in(loop->children[0], variable);
 }
 
-/* Pointers that statements before the loops set: p = w; for (...) *p++ = ...; The headers have not
- * set their counters yet, so these values must not name them. */
+/* Adds pointers that are set by statements before the loops: p = w; for (...) *p++ = ...; The
+ * values must not mention counters, which the headers have not set at that time. */
 static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     unsigned number;
     if (!a || !b || header_sets(twins->writer, a) || header_sets(twins->reader, b) ||
@@ -166,7 +170,7 @@ static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_
     return start && other && add_counter(twins, a, start, b, other);
 }
 
-/* Do the bodies step these counters in the same way, or not at all? */
+/* Do the two bodies step these counters in the same way, or not at all? */
 static bool same_steps(const twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     ir_node *const *writer = twins->writer->children, *const *reader = twins->reader->children;
     if (!variable_is_written_in(writer[3], a) && !variable_is_written_in(reader[3], b))
@@ -193,7 +197,8 @@ static bool may_jump(const ir_node *node) {
     return ir_is_jump(node) || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
-/* w[k], p[k], *p in both; a pointer that is stepped there still has its earlier value. */
+/* Are both the same element w[k], p[k] or *p? A pointer stepped there (*p++) counts with the value
+ * before the step. */
 static bool same_element(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     const bool is_indexed = a->kind == IR_INDEX;
     if (a->kind != b->kind || a->op != b->op || !ir_type_equal(a->type, b->type))
@@ -211,7 +216,8 @@ static bool is_element(const ir_node *node) {
     return node->kind == IR_INDEX || (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
 }
 
-/* Is the statement, a direct part of the writer's body, `element = ...;` for the element read? */
+/* Is the statement, a direct part of the writer's body, an assignment `element = ...;` to the
+ * element that is read? */
 static bool writes_element(twin_loops *twins, const ir_node *statement, const ir_node *read) {
     const ir_node *assign = statement->kind == IR_EXPRESSION ? statement->children[0] : statement;
     return assign->kind == IR_ASSIGN && assign->op == IR_OP_NONE &&
@@ -231,8 +237,9 @@ static bool are_twins(twin_loops *twins, const ir_node *read) {
     return false;
 }
 
-/* Has the loop around the read a writer? It is before the loop, in a block around it, so that
- * control reaches the loop only through the writer. Blocks of a switch are skipped. */
+/* Does a writer precede the loop around the read? It must be an earlier statement of a block around
+ * that loop, so that control reaches the loop only through it. Blocks of a switch are skipped,
+ * because a case may jump past the writer. */
 static bool has_writer(const run *r, const ir_node *reader, const ir_node *read) {
     for (const ir_node *at = reader; at != r->body; at = at->parent) {
         const ir_node *block = at->parent;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops whose trip counts are known though their bounds are not: for (i = x - 1; i <= x + 1;
- * i++). */
+/* Computes trip counts that are known although the bounds are not, as in
+ * `for (i = x - 1; i <= x + 1; i++)`. */
 #include "analysis/base/counted.h"
 
 #include "analysis/base/expression.h"
 #include "analysis/memory/must_write/must_write_run.h"
 #include <assert.h>
 
-/* variable + number */
+/* The sum variable + number. */
 typedef struct offset_value {
     const ir_variable *variable;
     int64_t number;
@@ -17,8 +17,8 @@ static bool is_wide_integer(const ir_type *type) {
     return ir_type_never_wraps(type) && !type->is_volatile && !type->is_atomic;
 }
 
-/* The value as a variable plus a number. Only of signed integers without narrowing conversions, so
- * that no sum wraps around. */
+/* Splits the value into a variable plus a number. Only signed integers without narrowing
+ * conversions are permitted, so no sum wraps around. */
 static bool offset_of(const ir_node *node, offset_value *to) {
     int64_t number;
     if (!is_wide_integer(node->type))
@@ -38,7 +38,7 @@ static bool offset_of(const ir_node *node, offset_value *to) {
            !__builtin_add_overflow(to->number, number, &to->number);
 }
 
-/* Is the variable invariant in the loop: neither written by name, nor through a pointer? */
+/* Is the variable invariant in the loop, written neither by name nor through a pointer? */
 static bool is_invariant(run *r, const ir_node *loop, const ir_variable *variable) {
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable->function == r->function && variable != r->object &&

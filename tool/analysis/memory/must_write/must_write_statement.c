@@ -2,7 +2,7 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    /* A loop with a known trip count is executed up to this many times. */
+    /* A loop with a known trip count is executed at most this often. */
     MOST_ITERATIONS = 1 << 14
 };
 
@@ -17,7 +17,8 @@ static void join(run *r, const ir_node *node, state *s, const state *other) {
         state_join(r->prover->scratch, s, other);
 }
 
-/* Control goes elsewhere: the following text is not reached from here. */
+/* Joins the state into `to`, to which control jumps. The text that follows is not reached from
+ * here. */
 static void jump(run *r, const ir_node *node, state *s, state *to) {
     if (to == NULL) {
         run_give_up(r, node, "a jump leaves the analysed code");
@@ -49,13 +50,13 @@ static void execute_if(run *r, state *s, const ir_node *node) {
 /* ---- loops --------------------------------------------------------------------------------- */
 
 typedef struct loop_parts {
-    const ir_node *condition; /* NULL: always true */
-    const ir_node *increment; /* NULL: none */
+    const ir_node *condition; /* NULL if the condition is always true */
+    const ir_node *increment; /* NULL if there is none */
     const ir_node *body;
-    const ir_node *counted; /* the loop, if it is a `for`; else NULL */
+    const ir_node *counted; /* the loop, if it is an IR_FOR; otherwise NULL */
 } loop_parts;
 
-/* Body and increment; the state after them. Breaks are joined into *breaks. */
+/* Executes the body and the increment. States at a break are joined into *breaks. */
 static void execute_iteration(run *r, state *s, const loop_parts *loop, state *breaks) {
     state *const outer_break = r->on_break, *const outer_continue = r->on_continue;
     state continues = {.is_reachable = false};
@@ -74,8 +75,8 @@ static value evaluate_condition(run *r, state *s, const loop_parts *loop) {
     return loop->condition == NULL ? always : run_evaluate(r, s, loop->condition);
 }
 
-/* Executes any number of iterations, from the state before the condition. Writes in one iteration
- * do not count in later ones; the values of variables are joined until they no longer change. */
+/* Executes an unknown number of iterations, beginning before the condition. Writes of one iteration
+ * do not count in later ones. The values of variables are joined until they no longer change. */
 static void execute_any_iterations(run *r, state *s, const loop_parts *loop, state *breaks) {
     state *head = scratch_copy(r, s);
     while (r->unknown == NULL) {
@@ -83,7 +84,8 @@ static void execute_any_iterations(run *r, state *s, const loop_parts *loop, sta
         const value condition = evaluate_condition(r, s, loop);
         const bool is_endless = condition.kind == VALUE_INTEGER && condition.number != 0;
         if (condition.kind == VALUE_INTEGER && condition.number == 0)
-            return; /* head is as precise as the first iteration: no iteration happens */
+            return; /* `head` is still the state before the first iteration, so there is no
+                     * iteration */
         state *iteration = scratch_copy(r, s);
         execute_iteration(r, iteration, loop, breaks);
         state *next = scratch_copy(r, head);
@@ -102,7 +104,8 @@ static state *bindings_copy(run *r, const state *s) {
     return scratch_copy(r, &bindings);
 }
 
-/* Is the trip count known, though the condition is not? Then the iterations are executed. */
+/* If the trip count is known although the condition is not, executes the iterations and returns
+ * true. */
 static bool execute_known_iterations(run *r, state *s, const loop_parts *loop, state *breaks) {
     const int64_t iterations =
         loop->counted && run_step(r, loop->body, 64) ? run_known_trip_count(r, loop->counted) : -1;
@@ -117,10 +120,12 @@ static bool execute_known_iterations(run *r, state *s, const loop_parts *loop, s
     return true;
 }
 
-/* Executes the loop from its condition on, iteration by iteration while the condition is known. */
+/* Executes the loop from its condition on, one iteration after the other while the condition's
+ * value is known. */
 static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks) {
     const bool has_effects = loop->condition != NULL && run_has_effects(r, loop->condition);
-    byte_set repeated = {NULL, 0}; /* the bytes written when the variables last stayed the same */
+    byte_set repeated = {NULL, 0}; /* the bytes that had been written when an iteration last left
+                                    * all variables unchanged */
     for (unsigned iteration = 0; s->is_reachable && r->unknown == NULL; iteration++) {
         state *before = has_effects ? scratch_copy(r, s) : bindings_copy(r, s);
         if (!run_step(r, loop->body, state_weight(before)))
@@ -133,7 +138,7 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
             return;
         if (condition.kind != VALUE_INTEGER || iteration == MOST_ITERATIONS) {
             if (has_effects)
-                *s = *before; /* the state before the condition */
+                *s = *before; /* continues from the state before the condition */
             execute_any_iterations(r, s, loop, breaks);
             return;
         }
@@ -141,7 +146,8 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
         if (!s->is_reachable || !state_same_bindings(s, before))
             continue;
         if (repeated.words != NULL && byte_set_includes(repeated, s->written)) {
-            s->is_reachable = false; /* the iterations now repeat; only a break ends them */
+            s->is_reachable = false; /* further iterations repeat this one, so only a break ends
+                                      * the loop */
             return;
         }
         if (run_step(r, loop->body, state_weight(s)))
@@ -181,7 +187,8 @@ static void execute_loop_statement(run *r, state *s, const ir_node *node) {
 typedef struct switch_labels {
     const ir_node *node;
     bool has_default;
-    bool is_nested; /* a label inside an inner statement: a jump into it */
+    bool is_nested; /* a label is inside an inner statement, which is therefore entered by a
+                     * jump */
 } switch_labels;
 
 static bool note_label(ir_node *node, void *context) {
@@ -223,7 +230,7 @@ static void execute_switch(run *r, state *s, const ir_node *node) {
     state breaks = {.is_reachable = false};
     const state *entry = scratch_copy(r, s);
     r->on_break = &breaks;
-    s->is_reachable = false; /* text before the first label is skipped */
+    s->is_reachable = false; /* the text before the first label is not executed */
     if (body->kind == IR_BLOCK)
         for (unsigned i = 0; i < body->child_count; i++)
             execute_labelled(r, s, body->children[i], entry);

@@ -3,7 +3,7 @@
 
 #include <assert.h>
 
-/* Is the number a value of the type, so that no conversion changes it? */
+/* Can the type represent the number, so that no conversion changes it? */
 static bool number_fits(int64_t number, const ir_type *type) {
     if (type->kind == IR_BOOLEAN)
         return number == 0 || number == 1;
@@ -29,8 +29,8 @@ value run_convert(run *r, const ir_node *node, value v, const ir_type *type) {
     return v;
 }
 
-/* Does a conversion change a negative operand, because the other one is unsigned? Then the result
- * is not followed. */
+/* Does a conversion change a negative operand because the other operand is unsigned? The result is
+ * then treated as unknown. */
 static bool converts_sign(const ir_node *node, value left, value right) {
     const ir_type *a = node->children[0]->type, *b = node->children[1]->type;
     return (left.number < 0 && !b->is_signed) || (right.number < 0 && !a->is_signed);

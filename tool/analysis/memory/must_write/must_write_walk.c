@@ -5,7 +5,8 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
 
-/* v = value; or T v = value; and no other write of v. */
+/* The value that the statement `v = value;` or the declaration `T v = value;` gives v, if the
+ * statement writes v nowhere else. Otherwise NULL. */
 static const ir_node *value_set_by(const ir_node *statement, const ir_variable *variable) {
     if (statement->kind == IR_DECLARATION) {
         const ir_node *declarator = ir_declarator_in(statement, variable);
@@ -19,7 +20,8 @@ static const ir_node *value_set_by(const ir_node *statement, const ir_variable *
                : NULL;
 }
 
-/* A block of a switch has labels, by which control may reach the loop past the statement. */
+/* In a block of a switch, a case label may let control reach the loop without executing the
+ * statement. */
 const ir_node *start_before(const ir_node *loop, const ir_variable *variable, unsigned *number) {
     const ir_node *block = loop->parent;
     unsigned i = 0;
@@ -40,8 +42,8 @@ static bool is_continue(const ir_node *node) {
     return node->kind == IR_CONTINUE;
 }
 
-/* The last statement, a step v++, v += c or the like, if nothing else in the body writes v; or
- * NULL. */
+/* The last statement of the body if it is a step v++, v += c or the like and nothing else in the
+ * body writes v; otherwise NULL. */
 static const ir_node *step_at_end(const ir_node *body, const ir_variable *variable) {
     if (body->kind != IR_BLOCK || !body->child_count)
         return NULL;
