@@ -3,8 +3,8 @@
  * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
  * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
  * is inside (Baerentzen and Aanaes 2005: a vertex' normals weighted by their angles). The triangles
- * must be counter-clockwise seen from outside. If the surface is open, the sign is that of the side
- * on which the point is.
+ * must be counter-clockwise seen from outside. If the surface is open, the sign depends on which
+ * side of the nearest triangle the point lies.
  */
 #ifndef FABRIC_SURFACE_H
 #define FABRIC_SURFACE_H
@@ -18,10 +18,11 @@ typedef struct surface surface;
 surface *surface_new(mesh *m, char *error);
 void surface_free(surface *s);
 
-/** Signed distance of p, negative inside (m), and the unit direction in which it grows. */
+/** Returns the signed distance of p in m, negative inside. `normal` receives the unit direction in
+ *  which the distance grows. */
 double surface_distance(const surface *s, const double p[3], double normal[3]);
 
-/** The largest coordinate in magnitude, m. */
+/** The surface's largest coordinate in magnitude, in m. */
 double surface_reach(const surface *s);
 
 /** The vertex' pseudonormal, of any length. */
@@ -33,13 +34,14 @@ const mesh *surface_mesh(const surface *s);
 /** A defect and its triangles. */
 typedef struct surface_fault {
     const char *what;    /* the defect and the expected state; NULL: no defect */
-    int triangle, other; /* triangle -1: all; other -1: no second one */
+    int triangle, other; /* triangle: -1 for all triangles; other: -1 if there is no second one */
 } surface_fault;
 
 /**
- * Finds two triangles of the same three vertices, an edge of more than two triangles, an edge
- * between triangles of opposite orientation, or a closed surface that faces inwards: each would
- * change the sign of distances. Open surfaces are accepted. 0, or -1: out of memory.
+ * Looks for a defect that would change the sign of distances: two triangles of the same three
+ * vertices, an edge of more than two triangles, an edge between triangles of opposite orientation,
+ * or a closed surface that faces inwards. Stops at the first one. Open surfaces are accepted.
+ * Returns 0, or -1 if out of memory.
  */
 int surface_check(const mesh *m, surface_fault *fault);
 

@@ -6,7 +6,7 @@
 #include "base/vector.h"
 #include "mesh_sides.h"
 
-/* Checks an edge with all its `count` triangles. */
+/* Checks an edge whose `count` triangles have the sides of[0 ..]. */
 static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fault *fault) {
     for (int k = 1; k < count; k++)
         if (mesh_side_wing(m, &of[k]) == mesh_side_wing(m, &of[0])) {
