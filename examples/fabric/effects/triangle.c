@@ -12,7 +12,7 @@ enum {
                     (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)
 };
 
-/* Adds f and df of triangle t: the same statements in every loop. Macros: redcc could not
+/* These macros add f and df of triangle t; every loop contains the same statements. redcc could not
  * parallelise a called function that makes all these updates. */
 #define ADD_FORCE                                                                                  \
     for (p = 0; p < 3; p++)                                                                        \
