@@ -8,15 +8,15 @@
  * as its keyframes say. Each pair of a vertex and a triangle, or of two edges, that is nearer than
  * its reach has the energy, for the distance d and s = d / reach,
  *     B(d) = -stiffness (s - 1)^2 ln s        0 < s < 1, else 0     J
- * which is twice differentiable and grows without bound as d goes to 0 (Li et al. 2020,
- * equation 6). For edges e1, e2, initially E1, E2, it is multiplied by
+ * which is twice differentiable and grows without bound as d goes to 0 (Li et al. 2020, equation
+ * 6). For edges e1 and e2, at first E1 and E2, the energy is multiplied by
  *     e(c) = (2 - c / eps) c / eps        c = |e1 x e2|^2 < eps = 1e-3 |E1|^2 |E2|^2
  * because the nearest points of parallel edges are not unique (equation 24 of the same paper). A
  * plane has no edges: each vertex forms a pair with it.
  *
- * No pair's features ever pass each other: every displacement is cut to the fraction that
- * conservative continuous collision detection allows (barrier_part.c), and a start with crossings
- * is refused (barrier_start.c).
+ * No pair's features ever pass each other: conservative continuous collision detection cuts every
+ * displacement to the fraction that is safe (barrier_part.c), and a start with crossings is
+ * rejected (barrier_start.c).
  */
 #ifndef FABRIC_BARRIER_H
 #define FABRIC_BARRIER_H
@@ -31,10 +31,10 @@ typedef enum barrier_kind { BARRIER_VERTEX, BARRIER_EDGES, BARRIER_PLANE } barri
 
 /** Two features that may come nearer to each other than `reach`. */
 typedef struct barrier_pair {
-    int vertex[4]; /* of the surface; for a plane: the cloth's, then the plane's point three times
-                    */
+    int vertex[4]; /* vertices of the surface; for a plane: the cloth's vertex, then the plane's
+                    * point three times */
     barrier_kind kind;
-    int collider; /* -1: the cloth itself */
+    int collider; /* index, or -1 for the cloth itself */
     double reach; /* m */
 } barrier_pair;
 
@@ -46,7 +46,7 @@ typedef struct barrier_contact {
 
 /** A contact at the beginning of a step, for friction: Li et al. 2020, section 5. */
 typedef struct barrier_grip {
-    barrier_contact touch; /* at the beginning of the step */
+    barrier_contact touch; /* as it was at the beginning of the step */
     double most;           /* N, greatest friction force */
 } barrier_grip;
 
@@ -69,10 +69,12 @@ typedef struct barrier_list {
 typedef struct barrier {
     const scene *scene;
     const mesh *cloth;
-    mesh surface;          /* all triangles; positions: initial, a body's in its own axes */
+    mesh surface;          /* triangles of cloth and bodies at initial positions, a body's in its
+                            * own axes */
     double (*rest)[3];     /* [cloth's vertices] m, rest positions */
     int *component;        /* [cloth's vertices] connected component of the cloth */
-    int *collider;         /* [surface's vertices] its collider; -1: of the cloth */
+    int *collider;         /* [surface's vertices] index of the vertex' collider; -1: of the
+                            * cloth */
     unsigned char *driven; /* [surface's vertices] moved by a pin or a body */
     double stiffness;      /* J */
     double slip_speed;     /* m/s, up to which friction grows with the speed */
@@ -100,8 +102,8 @@ void barrier_place_bodies(const barrier *b, double time, double (*x)[3]);
  *  (NULL: 0). 0, or -1: out of memory, or a number is not finite. */
 int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*displacement)[3]);
 
-/** Discards the candidates of earlier searches. The order of pairs, and so the bits, depends on
- *  them; a step's bits must not depend on earlier searches. */
+/** Discards the candidates of earlier searches, because a step's bits must not depend on them:
+ *  candidates determine the order of pairs. */
 static inline void barrier_begin_search(barrier *b) {
     b->has_candidates = 0;
 }
@@ -112,7 +114,8 @@ int barrier_find_contacts(barrier *b, const double (*x)[3]);
 /** Stores the last found contacts for friction. 0, or -1: out of memory. */
 int barrier_grip_contacts(barrier *b);
 
-/** The fraction, 0 to 1, of `displacement` by which x may move so that no listed pair passes. */
+/** Returns the fraction, 0 to 1, of `displacement` by which x may move without any listed pair
+ *  passing. */
 double barrier_allowed_part(const barrier *b, const double (*x)[3],
                             const double (*displacement)[3]);
 
@@ -140,22 +143,22 @@ typedef struct barrier_crossing {
 typedef int barrier_visitor(void *context, const barrier *b, const barrier_crossing *found);
 
 /** Visits all crossings at b->x of cloth with itself and with bodies; an edge that two triangles
- *  share is visited twice. Returns the visitor's last status, or -1: out of memory. */
+ *  share is visited twice. Returns the visitor's last status, or -1 if out of memory. */
 int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *context);
 
 /** Moves the cloth at b->x out of itself and out of bodies, as far as possible. 0, or -1: out of
  *  memory, or a number is not finite. barrier_check_start tests whether a crossing is left. */
 int barrier_untangle(barrier *b);
 
-/** Tests the cloth's start, after barrier_find_pairs at b->x. -1 if the cloth crosses or touches
- *  itself or a body, with features, depth and a remedy in error[200]; otherwise 0. */
+/** Tests the cloth's start, after barrier_find_pairs at b->x. Returns -1 if the cloth crosses or
+ *  touches itself or a body, with features, depth and a remedy in error[200]; otherwise 0. */
 int barrier_check_start(barrier *b, char *error);
 
-/** The pair's nearest points at x. */
+/** Finds the pair's nearest points at positions x of its vertices. */
 void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[4][3],
                      nearest *found);
 
-/** The positions of the pair's vertices. */
+/** Copies the positions of the pair's vertices. */
 static inline void barrier_gather(const int vertex[4], const double (*x)[3], double at[4][3]) {
     for (int k = 0; k < 4; k++)
         for (int a = 0; a < 3; a++)

@@ -2,8 +2,9 @@
 /*
  * The barrier's energy, its gradient, and a positive semidefinite approximation of its Hessian.
  *
- * With u = sum w_k x_k, d = |u| and n = u / d, the gradient of d with respect to x_k is exactly
- * w_k n: at the nearest points, changes of the weights do not contribute. Of the Hessian
+ * With the vertices' positions x_k and the weights w_k (nearest.h), u = sum w_k x_k, d = |u| and n
+ * = u / d, the gradient of d with respect to x_k is exactly w_k n: at the nearest points, changes
+ * of the weights do not contribute. Of the Hessian
  *
  *     B'' w_i w_j n n' + B' (d2 d),   B'' > 0, B' < 0
  *
@@ -103,7 +104,8 @@ static void add_blocks(double factor, const double weight[4], const double m[3][
                     block[k][r][c] += factor * weight[p] * weight[q] * m[r][c];
 }
 
-/* y = e1 x e2 changes with vertex k by J_k dx = sign (other x dx): `other` is the other edge. */
+/* y = e1 x e2 changes with vertex k by J_k dx = sign (other x dx); `other` is the edge without
+ * vertex k. */
 static void add_mollifier(double energy, const mollifier *m, barrier_element *e) {
     static const double sign[4] = {1, -1, -1, 1};
     int k = 0;
@@ -139,7 +141,8 @@ static void make_contact(const barrier *b, const barrier_contact *touch, const d
         add_mollifier(of.value, &m, e);
 }
 
-/* How far the features have slipped along each other since the step began, m. */
+/* Computes how far the features have slipped along each other since the step began. Returns the
+ * length, m. */
 static double slip_of(const barrier *b, const barrier_grip *grip, const double (*x)[3],
                       double slip[3]) {
     const nearest *at = &grip->touch.at;
@@ -155,7 +158,8 @@ static double slip_of(const barrier *b, const barrier_grip *grip, const double (
 }
 
 /*
- * Li et al. 2020, equations 19 to 21: a slip of y m has the potential most f0(y), f0' = f1, with
+ * Li et al. 2020, equations 19 to 21: with the greatest friction force `most`, a slip of y m has
+ * the potential most f0(y), f0' = f1, with
  *     f1 = 2 y / e - (y / e)^2   y < e = h slip_speed, else 1
  */
 double barrier_friction(const barrier *b, double h, const double (*x)[3]) {
@@ -173,7 +177,8 @@ double barrier_friction(const barrier *b, double h, const double (*x)[3]) {
     return chunk_sum_all(count, sum);
 }
 
-/* The Hessian f1 / y (I - n n' - t t') + f1' t t', t = slip / y, is positive semidefinite. */
+/* The Hessian, `most` times f1 / y (I - n n' - t t') + f1' t t' with t = slip / y, is positive
+ * semidefinite. */
 static void make_grip(const barrier *b, const barrier_grip *grip, double h, const double (*x)[3],
                       barrier_element *e) {
     const double small = h * b->slip_speed;

@@ -21,7 +21,8 @@ void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[
     }
 }
 
-/* Upper bound on the decrease of the distance during the displacement, m. */
+/* Upper bound in m on the decrease of the features' distance during the displacement. The first
+ * feature has `firsts` vertices. */
 static double greatest_approach(const int vertex[4], const double (*displacement)[3], int firsts) {
     double of[2] = {0, 0};
     for (int k = 0; displacement && k < 4; k++) {
@@ -31,8 +32,9 @@ static double greatest_approach(const int vertex[4], const double (*displacement
     return of[0] + of[1];
 }
 
-/* The reach of a pair of the cloth: the gap, but at most half the rest distance of features of one
- * component. Otherwise triangles smaller than the gap would repel their neighbours. */
+/* The reach of a pair of the cloth: the gap. For features of one component it is at most half their
+ * rest distance, but at least a hundredth of the gap. Otherwise triangles smaller than the gap
+ * would repel their neighbours. */
 static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     const double gap = b->scene->self_collision.gap;
@@ -45,7 +47,7 @@ static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     return fmin(gap, fmax(found.distance / 2, gap / 100));
 }
 
-/* Converts a pair of the grid; its reach is 0 if the barrier does not need it. */
+/* Converts a pair of the grid; its reach is 0 if all its vertices belong to bodies. */
 static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     barrier_pair pair = {.kind = from->is_edges ? BARRIER_EDGES : BARRIER_VERTEX, .collider = -1};
     int of_bodies = 1;

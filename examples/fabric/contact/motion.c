@@ -18,8 +18,8 @@ double motion_end(const collider *k) {
     return motion_has_keys(k) ? k->keyframes[k->keyframe_count - 1].time : 0;
 }
 
-/* The keyframe at or before `time` and the next one; returns the position of `time` between them,
- * from 0 to 1. */
+/* Finds the keyframe at or before `time` and the next one. Returns the position of `time` between
+ * them, from 0 to 1. */
 static double between(const collider *k, double time, const keyframe **before,
                       const keyframe **after) {
     int n = 0;

@@ -16,10 +16,10 @@ static inline void nearest_combine(const double x[4][3], const double weight[4],
             weight[0] * x[0][a] + weight[1] * x[1][a] + weight[2] * x[2][a] + weight[3] * x[3][a];
 }
 
-/** Vertex x[0] and triangle x[1] x[2] x[3]. */
+/** Finds the nearest points of vertex x[0] and triangle x[1] x[2] x[3]. */
 void nearest_vertex_triangle(const double x[4][3], nearest *found);
 
-/** Edges x[0] x[1] and x[2] x[3]. */
+/** Finds the nearest points of the edges x[0] x[1] and x[2] x[3]. */
 void nearest_edges(const double x[4][3], nearest *found);
 
 #endif
