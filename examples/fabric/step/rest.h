@@ -14,8 +14,8 @@ enum { STEPS_UNTIL_SLEEP = 10 };
 /** Does the cloth sleep through the scene's next step? Wakes it if something begins or ends. */
 int rest_lasts(simulation *sim);
 
-/** After a step of the scene: counts slow steps, and sets the velocities of cloth that falls asleep
- * to 0. */
+/** Called after a step of the scene: counts slow steps, and sets the velocities of cloth that falls
+ *  asleep to 0. */
 void rest_watch(simulation *sim);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The simulation of one cloth: the loop of figure 2 of the paper, with its counts and times. */
+/** The simulation of one cloth, with its counts and times: the loop of figure 2 of the paper
+ *  (docs/paper.md). */
 #ifndef FABRIC_SIMULATION_H
 #define FABRIC_SIMULATION_H
 
@@ -32,7 +33,7 @@ typedef struct rejection {
     double value, limit; /* the value that exceeded a limit, and the limit */
 } rejection;
 
-/* The log stores this number of rejections, the first ones; all are counted. */
+/* The log stores the first rejections up to this number; all are counted. */
 enum { MOST_REJECTIONS = 1000 };
 
 /** Keeps references to mesh and scene, which must outlive it. NULL with a message in error[256]. */
@@ -50,8 +51,8 @@ void updateSystem(simulation *sim);
  * be run afterwards. */
 void simulation_make_room(simulation *sim);
 
-/** The memory that a direct solution would allocate, bytes; 0: not supported by this program.
- * *only: the scene requires direct solutions (otherwise they are a fall-back). */
+/** Returns the memory that a direct solution would allocate, bytes; 0 if the program does not
+ *  support it. *only: the scene requires direct solutions (otherwise they are a fall-back). */
 double simulation_direct_bytes(const simulation *sim, int *only);
 
 /** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
@@ -65,20 +66,19 @@ int simulation_threads(const simulation *sim);
  *  Keeps the pointer. 0, or -1: out of memory. */
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
-/** One step of the scene: the four phases, timed, repeated until the step's end is reached. 0; 1:
- *  stopped; or -1 with a message in error[256]: no state within the scene's limits could be
- * reached.
- */
+/** Makes one step of the scene: the four phases, timed, repeated until the step's end is reached.
+ *  Returns 0, or 1 if stopped, or -1 with a message in error[256] if no state within the scene's
+ *  limits could be reached. */
 int simulation_step(simulation *sim, char *error);
 
-/* The size of the state between two steps of the scene, as bytes in this machine's formats. A
+/* The size in bytes of the state between two steps of the scene, in this machine's formats. A
  * simulation of the same mesh and scene continues from the state with the same bits. */
 size_t simulation_saved_size(simulation *sim);
-/** Writes the state to bytes [size], size being simulation_saved_size. Does not change the
+/** Writes the state to bytes [size], where size is simulation_saved_size. Does not change the
  *  simulation. */
 void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
-/** Restores the state in a new simulation. 0, or -1: the bytes are invalid for it; then it must be
- *  freed. Does not change the bytes. */
+/** Restores the state in a new simulation. Returns 0, or -1 if the bytes are invalid for it; the
+ *  simulation must then be freed. Does not change the bytes. */
 int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
 
 /* Read access for callers; valid until simulation_free. */
@@ -93,7 +93,7 @@ const rejection *simulation_rejections(const simulation *sim, int *count);
 
 /** Counts of a run so far. */
 typedef struct run_counts {
-    long iterations;        /* of conjugate gradients, all steps */
+    long iterations;        /* iterations of conjugate gradients in all steps */
     long newton_iterations; /* linear systems solved for Newton's method */
     long taken;             /* steps accepted, parts of halved ones included */
     long rejected;          /* steps rejected */
@@ -107,7 +107,8 @@ run_counts simulation_counts(const simulation *sim);
 typedef struct run_faults {
     /* Steps that the monitor accepted because halving would not help: */
     long not_solved, strain, penetration, passing;
-    double greatest_strain, strain_limit; /* of a triangle during the run; the scene's limit */
+    double greatest_strain, strain_limit; /* largest strain of a triangle during the run; the
+                                           * scene's limit */
     double deepest;                       /* m, greatest depth of a vertex in a collider */
     long start_inside;                    /* number of vertices that start in a collider */
     double start_depth;                   /* m, depth of the deepest of them */

@@ -17,7 +17,8 @@
 #include "team.h"
 
 /** The time within a step of the scene is counted in ticks, so that a step may be halved ten times.
- * A step in which something begins or ends is also cut at that time, which need not be a tick. */
+ *  A step in which something begins or ends is also cut at that time, which need not be a whole
+ *  tick. */
 enum { TICKS_PER_STEP = 1024 };
 
 /** The current wind and events, as plan.c found them. */
@@ -33,12 +34,13 @@ struct cloth_state {
     double (*v)[3]; /* [vertices] m/s */
     long frame;     /* completed steps of the scene */
     int ticks_done; /* ticks completed in the scene's current step */
-    double part;    /* s, completed beyond these; > 0 if the last step was cut at an event */
+    double part;    /* s, time completed beyond these ticks; > 0 if the last step was cut at an
+                     * event */
 };
 
 /** The step being taken. */
 struct step {
-    int ticks;           /* its length unless it is cut, a power of two */
+    int ticks;           /* the step's length in ticks unless it is cut; a power of two */
     double h;            /* its length in s */
     int end_ticks;       /* its end, in ticks since the beginning of the scene's step */
     double end_part;     /* s, its end beyond end_ticks */
@@ -80,7 +82,7 @@ struct simulation {
     solver solver;
     solver_fallback fallback;
     monitor monitor;
-    struct barrier_step *barrier; /* NULL: vertices are constrained */
+    struct barrier_step *barrier; /* NULL: contact by constraints (collision.h) */
     team team;                    /* chooses the number of threads */
     struct run_account account;
     arrays own; /* mass, state, the step's vectors */
@@ -110,8 +112,8 @@ static inline double ticks_to_seconds(const simulation *sim, int ticks) {
     return sim->scene->time.step * (double)ticks / (double)TICKS_PER_STEP;
 }
 
-/** The time after this number of ticks of the scene's current step, s. Has no rounding error at
- * whole steps if the step's length is exact. */
+/** The time after this number of ticks of the scene's current step, s. It has no rounding error at
+ *  whole steps if the step's length is exact. */
 static inline double time_at_tick(const simulation *sim, int ticks) {
     return sim->scene->time.step *
            ((double)sim->state.frame + (double)ticks / (double)TICKS_PER_STEP);

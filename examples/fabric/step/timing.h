@@ -2,7 +2,7 @@
 /**
  * The times at which steps begin and end. Steps lie on the scene's grid of times, or on halves,
  * quarters, ... of it. A step in which something begins or ends (plan.h) is cut in two at exactly
- * that time: forces are smooth within each part, so that methods keep their order.
+ * that time. So forces are smooth within each part, and integrators keep their order of accuracy.
  */
 #ifndef FABRIC_TIMING_H
 #define FABRIC_TIMING_H
@@ -11,8 +11,8 @@
 
 #include "simulation_state.h"
 
-/** Times that differ by less than this are equal, s: binary fractions of a step differ from decimal
- *  times by rounding. */
+/** Times that differ by less than this, in s, are equal: binary fractions of a step differ from
+ *  decimal times by rounding. */
 static inline double timing_rounding(const simulation *sim) {
     return 1e-9 * sim->scene->time.step;
 }
