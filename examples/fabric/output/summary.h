@@ -10,9 +10,9 @@ typedef struct run_account {
     const scene *of;
     const mesh *cloth;
     const simulation *sim;
-    int threads;          /* 1 without OpenMP */
+    int threads;          /* number of threads, 1 without OpenMP */
     double mesh_seconds;  /* wall, to generate and order the mesh */
-    double setup_seconds; /* wall, from mesh to simulation */
+    double setup_seconds; /* wall, to make the simulation from the mesh */
     double step_seconds;  /* wall, all steps, including those before a checkpoint */
     int interrupted;      /* the run ended before its last step */
 } run_account;
