@@ -22,7 +22,7 @@ static void cross(const double a[3], const double b[3], double c[3]) {
         c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/** Coordinates along the camera's axes. */
+/** Computes the point's coordinates along the camera's axes. */
 static void along(const camera *c, const double point[3], double out[3]) {
     out[0] = dot(c->right, point);
     out[1] = dot(c->up, point);

@@ -110,7 +110,8 @@ void shadow_apply(const shadow *s) {
     glMatrixMode(GL_TEXTURE);
     glLoadMatrixd(s->from_world);
     glMatrixMode(GL_MODELVIEW);
-    for (int a = 0; a < 4; a++) { /* texture coordinates: the position in the world */
+    for (int a = 0; a < 4; a++) { /* makes the texture coordinates equal to the position in the
+                                   * world */
         GLdouble axis[4] = {0};
         axis[a] = 1;
         glTexGeni(coordinate[a], GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);
