@@ -201,7 +201,7 @@ void contacts(int count, const int (*pair)[2], const double (*x)[3], const doubl
     }
 }
 
-/* Computes the contact force between two balls; returns whether they touch. */
+/* Computes the contact force between two balls. Returns 1 if they touch, 0 otherwise. */
 static int contact(const double (*x)[3], const double *radius, int i, int j, double force[3]) {
     double d[3];
     for (int c = 0; c < 3; c++)

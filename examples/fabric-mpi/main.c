@@ -95,7 +95,7 @@ double __wrap_solver_defect(solver *s, const linear_system *system, const constr
                             double (*dv)[3], double *reference);
 void __wrap_solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
 
-/* Returns the reason why the scene cannot be simulated over ranks; NULL if it can. */
+/* Returns the reason why the scene cannot be simulated over ranks, or NULL if it can. */
 static const char *obstacle(const mesh *m, const scene *s, int ranks) {
     if (s->contact.method == CONTACT_BARRIER)
         return "contact: over ranks only constraints; barrier changes the matrix' layout in each "

@@ -73,7 +73,7 @@ static void estimate_error(series *r) {
     r->error = rate > 1.2 ? usable / (rate - 1) : NAN;
 }
 
-/* Makes one more run, with twice the steps. Returns 0; 1 if that is too many steps; -1 after a
+/* Makes one more run, with twice the steps. Returns 0, 1 if that is too many steps, or -1 after a
  * message. */
 static int extend(const adviser *a, series *r) {
     const int least = a->base->time.steps / 8 > 4 ? a->base->time.steps / 8 : 4;
@@ -112,8 +112,8 @@ static void say_unreached(const series *r, double error, char *reason) {
              last_of(r)->settings.time.steps, r->difference, error);
 }
 
-/* Refines the second series until both final states agree. Returns 0; 1 with a reason if they do
- * not agree; -1 after a message. */
+/* Refines the second series until both final states agree. Returns 0, 1 with a reason if they do
+ * not agree, or -1 after a message. */
 static int check_by(adviser *a, const series *one, series *other, char *reason) {
     const double most = agreed * a->error;
     for (;;) {
@@ -139,7 +139,8 @@ static int check_by(adviser *a, const series *one, series *other, char *reason) 
 }
 
 /* Sets a->reference to the final state by an integrator whose error decreases with its order,
- * confirmed by a second integrator. Returns 0; 1 with a reason; -1 after a message. */
+ * confirmed by a second integrator. Returns 0, 1 with a reason why there is none, or -1 after a
+ * message. */
 static int find_reference(adviser *a, char *reason) {
     for (int k = 0; k < METHODS; k++) {
         int status = reach(a, &a->of[k], agreed * a->error);
@@ -164,8 +165,8 @@ static double error_of(const adviser *a, const measured *got) {
     return measured_distance(got, a->reference, NULL) + a->doubt;
 }
 
-/* Returns the integrator's coarsest run that is exact enough; NULL if there is none, or if it takes
- * longer than `limit`. *status is -1 after a message. */
+/* Returns the integrator's coarsest run that is exact enough, or NULL if there is none or if it
+ * takes longer than `limit`. Sets *status to -1 after a message. */
 static const trial *coarsest(const adviser *a, series *r, double limit, int *status) {
     for (int k = 0;; k++) {
         if (k == r->count && (*status = extend(a, r)) != 0)
@@ -177,8 +178,8 @@ static const trial *coarsest(const adviser *a, series *r, double limit, int *sta
     }
 }
 
-/* Stores in *best the fastest of the integrators' coarsest runs that are exact enough. Returns 0; 1
- * if there is none; -1 after a message. */
+/* Stores in *best the fastest of the integrators' coarsest runs that are exact enough. Returns 0, 1
+ * if there is none, or -1 after a message. */
 static int choose_run(adviser *a, trial *best) {
     double least = INFINITY;
     for (int k = METHODS - 1; k >= 0; k--) {
@@ -197,7 +198,7 @@ static int choose_run(adviser *a, trial *best) {
 }
 
 /* Replaces *best by the run with these settings if that is exact enough and, unless `always`,
- * faster. Returns 0; 1 if *best stays; -1 after a message. */
+ * faster. Returns 0, 1 if *best stays, or -1 after a message. */
 static int try_settings(const adviser *a, const scene *settings, bool always, trial *best) {
     trial other = {.settings = *settings};
     if (run_trial(a, &other) != 0)

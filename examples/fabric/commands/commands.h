@@ -36,7 +36,7 @@ int take_setting(const options *o, void *list);
 /** Applies the settings to the scene. Returns 0, or -1 after a message; the scene is then empty. */
 int make_settings(scene *s, const setting_list *settings);
 
-/** Finds and reads a scene and applies the settings. 0, or -1 after a message. */
+/** Finds and reads a scene and applies the settings. Returns 0, or -1 after a message. */
 int read_scene(scene *s, const char *name, const setting_list *settings);
 
 #endif

@@ -67,7 +67,7 @@ static difference differ(const double *a, const int *a_place, const double *b, c
     return d;
 }
 
-/** Returns the index in the state of each vertex of the generated mesh; NULL after a message. */
+/** Returns the index in the state of each vertex of the generated mesh, or NULL after a message. */
 static int *places_of(const state *s, const char *path) {
     int *place = malloc((size_t)s->vertex_count * sizeof *place);
     if (!place) {

@@ -169,7 +169,7 @@ static int keep_step(cloth_run *run, int ends) {
     return is_due || (ends && !done) ? run_save(run) : 0;
 }
 
-/** Takes the remaining steps and reports progress. 0, or -1 after a message. */
+/** Takes the remaining steps and reports progress. Returns 0, or -1 after a message. */
 static int take_steps(cloth_run *run, const run_request *r) {
     const long steps = run->of.time.steps;
     const long last = r->stop_after != NOT_GIVEN && r->stop_after < steps ? r->stop_after : steps;

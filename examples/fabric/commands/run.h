@@ -45,10 +45,10 @@ typedef struct cloth_run {
  *  after a message. */
 int run_prepare_folder(cloth_run *run, const run_request *r);
 
-/** If record.step is a frame, writes its state for pictures. 0, or -1 after a message. */
+/** If record.step is a frame, writes its state for pictures. Returns 0, or -1 after a message. */
 int run_write_frame(const cloth_run *run);
 
-/** Writes the last state and the summary. 0, or -1 after a message. */
+/** Writes the last state and the summary. Returns 0, or -1 after a message. */
 int run_write_results(const cloth_run *run);
 
 /** Reads scene and state from a checkpoint. A scene and settings on the command line must agree

@@ -90,8 +90,8 @@ typedef struct barrier {
     arrays own; /* all arrays above but those of surface, collider, search and list */
 } barrier;
 
-/** Keeps references to scene and cloth; mass [vertices] kg. 0, or -1 with a message in
- *  error[200]: the scene is not supported, or out of memory. */
+/** Keeps references to scene and cloth; mass [vertices] kg. Returns 0, or -1 with a message in
+ *  error[200] if the scene is not supported or memory runs out. */
 int barrier_init(barrier *b, const mesh *cloth, const scene *s, const double *mass, char *error);
 void barrier_free(barrier *b);
 
@@ -99,7 +99,7 @@ void barrier_free(barrier *b);
 void barrier_place_bodies(const barrier *b, double time, double (*x)[3]);
 
 /** Lists the pairs that may come within their reach while x moves by any fraction of `displacement`
- *  (NULL: 0). 0, or -1: out of memory, or a number is not finite. */
+ *  (NULL stands for 0). Returns 0, or -1 if out of memory or if a number is not finite. */
 int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*displacement)[3]);
 
 /** Discards the candidates of earlier searches, because a step's bits must not depend on them:
@@ -108,10 +108,11 @@ static inline void barrier_begin_search(barrier *b) {
     b->has_candidates = 0;
 }
 
-/** Lists as contacts the pairs that are within their reach at x. 0, or -1: out of memory. */
+/** Lists as contacts the pairs that are within their reach at x. Returns 0, or -1 if out of
+ *  memory. */
 int barrier_find_contacts(barrier *b, const double (*x)[3]);
 
-/** Stores the last found contacts for friction. 0, or -1: out of memory. */
+/** Stores the last found contacts for friction. Returns 0, or -1 if out of memory. */
 int barrier_grip_contacts(barrier *b);
 
 /** Returns the fraction, 0 to 1, of `displacement` by which x may move without any listed pair
@@ -126,7 +127,7 @@ double barrier_energy(const barrier *b, const double (*x)[3]);
 double barrier_friction(const barrier *b, double h, const double (*x)[3]);
 
 /** Computes the elements of all contacts, with the last found nearest points, and of all grips, at
- *  x. 0, or -1: out of memory. */
+ *  x. Returns 0, or -1 if out of memory. */
 int barrier_make_elements(barrier *b, double h, const double (*x)[3]);
 
 /** An edge that goes through a triangle. */
@@ -146,8 +147,9 @@ typedef int barrier_visitor(void *context, const barrier *b, const barrier_cross
  *  share is visited twice. Returns the visitor's last status, or -1 if out of memory. */
 int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *context);
 
-/** Moves the cloth at b->x out of itself and out of bodies, as far as possible. 0, or -1: out of
- *  memory, or a number is not finite. barrier_check_start tests whether a crossing is left. */
+/** Moves the cloth at b->x out of itself and out of bodies, as far as possible. Returns 0, or -1 if
+ *  out of memory or if a number is not finite. barrier_check_start tests whether a crossing is
+ *  left. */
 int barrier_untangle(barrier *b);
 
 /** Tests the cloth's start, after barrier_find_pairs at b->x. Returns -1 if the cloth crosses or

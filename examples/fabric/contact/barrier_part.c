@@ -20,7 +20,7 @@ static const double kept_reach = 1e-6;
 /* After this number of advances the fraction reached so far is returned, which is always safe. */
 enum { most_advances = 1000 };
 
-/* Makes the displacements relative to the pair's mean; returns an upper bound on the features'
+/* Makes the displacements relative to the pair's mean. Returns an upper bound on the features'
  * approach. */
 static double approach(const barrier_pair *pair, double displacement[4][3]) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;

@@ -98,7 +98,7 @@ static void name_feature(const barrier *b, int count, const int *vertex, char *t
         used += snprintf(text + used, size - (size_t)used, " %d", number_of(b, vertex[k]));
 }
 
-/* Appends the option that may help; returns -1. */
+/* Appends the option that may help. Returns -1. */
 static int refuse(const barrier *b, char *error) {
     const size_t used = strlen(error);
     snprintf(error + used, 200 - used, "%s",

@@ -114,7 +114,7 @@ static inline const double *collisions_carried(const collisions *c, int vertex, 
 }
 
 /** Keeps references to mesh, scene and mass [vertices] kg. A vertex without mass (in no triangle)
- *  is held in place. 0, or -1: out of memory. */
+ *  is held in place. Returns 0, or -1 if out of memory. */
 int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass);
 void collisions_free(collisions *c);
 
@@ -129,7 +129,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
 /** Adds the friction of sliding contacts to A and b, for velocities v and a step of h s. */
 void collisions_add_friction(collisions *c, double h, const double (*v)[3], linear_system *system);
 
-/** Converts contacts and pins to constraints on dv. 0, or -1: out of memory. */
+/** Converts contacts and pins to constraints on dv. Returns 0, or -1 if out of memory. */
 int collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
 
 /** Adds the contacts that were not expected but occur with the solution dv. Returns their
@@ -148,7 +148,7 @@ void collisions_find_near(collisions *c, double time, double h, const double (*x
                           const double (*v)[3], const double (*dv)[3]);
 
 /** Finds the triangles that a near collider may penetrate between their vertices (shape_triangle.h)
- *  in the step; planes penetrate none. 0, or -1: out of memory. */
+ *  in the step; planes penetrate none. Returns 0, or -1 if out of memory. */
 int collisions_find_triangles(collisions *c, double time, double h, const double (*x)[3],
                               const double (*v)[3]);
 
@@ -180,7 +180,7 @@ void collisions_accept(collisions *c, double h, const double (*v)[3], const doub
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]);
 
-/** The depth in m of the deepest vertex that is inside a collider at `time` and not pinned; 0 if
+/** The depth in m of the deepest vertex that is inside a collider at `time` and not pinned, or 0 if
  *  there is none. */
 double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 

@@ -51,7 +51,7 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
     return chunk_sum_all(count, moving) + (from_resting < 0 ? from_resting : 0);
 }
 
-/* The vertex' greatest depth in a near collider, m; 0 if it is in none or pinned. */
+/* The vertex's greatest depth in a near collider, m, or 0 if it is in none or pinned. */
 static double depth_of(const collisions *c, int vertex, double time, const double x[3]) {
     double deepest = 0;
     for (int m = 0; m < c->any_near && collisions_pin_of(c, vertex) < 0; m++) {

@@ -63,8 +63,8 @@ static void sum_up(const self_collision *s, const movable *of, int *parent, cons
     }
 }
 
-/* Solves inertia * turn = spin by Cramer's rule; 0 for a zone in a line, whose inertia is singular.
- */
+/* Solves inertia * turn = spin by Cramer's rule. The turn is 0 for a zone in a line, whose inertia
+ * is singular. */
 static void angular_velocity(const zone *z, double turn[3]) {
     double cross[3], trace = 0;
     vector_cross(z->inertia[1], z->inertia[2], cross);

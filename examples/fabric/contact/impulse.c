@@ -10,7 +10,7 @@ int movable_is_held(const movable *of, int vertex) {
 }
 
 /* The speed, m/s, at which the vertex moves away from its contact's body beyond what the contact
- * prescribes; 0 if it is within the rounding of v. */
+ * prescribes, or 0 if it is within the rounding of v. */
 static double leaving_speed(const contact *touch, const double v[3]) {
     static const double rounding = 1e-9;
     const double speed = vector_dot(touch->normal, v) - touch->speed;

@@ -79,7 +79,8 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
     return self_pair_is_near(pair->is_edges, (const double(*)[3])at, s->gap, &found);
 }
 
-/* Computes the change of the normal velocity that the pair requires, m/s; 0 if none. */
+/* Computes the change of the normal velocity that the pair requires, m/s, or 0 if it requires
+ * none. */
 static double required_change(const self_collision *s, const self_pair *pair, double h,
                               const double (*x)[3], const double (*v)[3], self_contact *found) {
     double from[4][3], to[4][3], speed = 0, least = 0;
@@ -144,8 +145,7 @@ static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
     }
 }
 
-/* Gives pair n the impulse that it needs. Returns the change of the normal velocity, m/s; 0 if
- * none. */
+/* Gives pair n the impulse that it needs. Returns the change of the normal velocity, m/s. */
 static double push_pair(self_collision *s, const movable *of, int n, double h, const double (*x)[3],
                         double (*v)[3], double *work) {
     const self_demand *demand = &s->history.demand[n];
@@ -191,7 +191,7 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                             &found);
 }
 
-/* Resets the history for a new list of pairs. 0, or -1: out of memory. */
+/* Resets the history for a new list of pairs. Returns 0, or -1 if out of memory. */
 static int reset_history(self_history *history, int vertices, int pairs) {
     if (array_grow(&history->pair, &history->pair_room, pairs, sizeof *history->pair) != 0 ||
         array_grow(&history->demand, &history->demand_room, pairs, sizeof *history->demand) != 0)

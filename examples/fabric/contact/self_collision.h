@@ -101,16 +101,16 @@ typedef struct self_collision {
     arrays own; /* the arrays above whose size is [triangles] or [vertices] */
 } self_collision;
 
-/** Keeps a reference to the mesh. 0, or -1: out of memory. */
+/** Keeps a reference to the mesh. Returns 0, or -1 if out of memory. */
 int self_collision_init(self_collision *s, const mesh *m, double gap, double friction, double step);
 void self_collision_free(self_collision *s);
 
 /** Finds the pairs that may come near in a step of h s from positions x (m) with velocities v
- *  (m/s). 0, or -1: out of memory, or a number is not finite. */
+ *  (m/s). Returns 0, or -1 if out of memory or if a number is not finite. */
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
 /** One round of impulses, in order, over the pairs that self_collision_find found for this h and x.
- *  Changes v and adds the energy of the impulses to *work (J); returns the largest change of a
+ *  Changes v and adds the energy of the impulses to *work (J). Returns the largest change of a
  *  normal velocity, m/s. */
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);
@@ -124,9 +124,8 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]);
 
 /** Finds the pairs that may meet in the step, except, if `within` is finite, those whose swept
- * boxes are farther than `within` (m) from each other. 0, or -1: out of memory, or a number is not
- * finite.
- */
+ *  boxes are farther than `within` (m) from each other. Returns 0, or -1 if out of memory or if a
+ *  number is not finite. */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3],
                    double within);
 

@@ -304,7 +304,7 @@ static int find_part(self_collision *s, const self_search *by, int part, int buc
     return status;
 }
 
-/* Concatenates the parts' pairs in order. 0, or -1: out of memory. */
+/* Concatenates the parts' pairs in order. Returns 0, or -1 if out of memory. */
 static int join(self_collision *s) {
     long first[SELF_PARTS + 1] = {0};
     for (int part = 0; part < SELF_PARTS; part++)

@@ -104,7 +104,8 @@ int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_conta
     return distance < gap && distance > 1e-6 * gap && set_normal(x, found);
 }
 
-/* Six times the volume of the tetrahedron of the four points at time t; 0 if they are coplanar. */
+/* Six times the volume of the tetrahedron of the four points at time t, or 0 if they are
+ * coplanar. */
 static double volume_at(const double x[4][3], const double y[4][3], double t) {
     double at[3][3], cross[3];
     for (int k = 0; k < 3; k++)

@@ -21,10 +21,10 @@ typedef struct approach {
 /**
  * Follows p (relative to the collider's position) along the straight path `u`, both in m in the
  * moving collider's frame. Returns 1, with the first place at which the distance falls to the
- * collider's gap in *found; 0 if the distance stays above the gap. Each advance is as long as the
- * distance allows (sphere tracing, Hart 1996), so neither thin colliders nor long paths are missed.
- * A point on the outer side of the plane through that place is outside a convex shape. In the
- * hollow of a mesh it may meet another face; the next step finds that.
+ * collider's gap in *found, or 0 if the distance stays above the gap. Each advance is as long as
+ * the distance allows (sphere tracing, Hart 1996), so neither thin colliders nor long paths are
+ * missed. A point on the outer side of the plane through that place is outside a convex shape. In
+ * the hollow of a mesh it may meet another face; the next step finds that.
  */
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found);
 

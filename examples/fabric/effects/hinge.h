@@ -48,7 +48,7 @@ typedef struct hinge_material {
 int hinge_elements_init(hinge_elements *e, const mesh *m);
 /** Makes hinge_energy_at cache the angles that it computes. Returns 0, or -1 if out of memory. */
 int hinge_elements_cache_angles(hinge_elements *e);
-/** Finds the indices of each hinge's blocks in A. 0, or -1: out of memory. */
+/** Finds the indices of each hinge's blocks in A. Returns 0, or -1 if out of memory. */
 int hinge_elements_place(hinge_elements *e, const block_matrix *A);
 void hinge_elements_free(hinge_elements *e);
 

@@ -30,7 +30,7 @@ typedef struct outer_force {
     /** Adds the force's terms to A and b (see forces_assemble). Called only if the effect is on. */
     void (*add)(const force_target *on, const expansion *at, linear_system *s);
     /** Returns the force's work in J in a step of h s that began at positions x and ended with
-     *  velocities v; 0 if the force is absent. May return 0 if the force only takes energy. */
+     *  velocities v, or 0 if the force is absent. May return 0 if the force only takes energy. */
     double (*work)(const force_target *on, double h, const double (*x)[3], const double (*v)[3]);
 } outer_force;
 

@@ -25,7 +25,7 @@ typedef struct strain_limit {
     arrays own;
 } strain_limit;
 
-/** 0, or -1: out of memory. */
+/** Returns 0, or -1 if out of memory. */
 int strain_limit_init(strain_limit *l, const triangle_elements *e, double limit, double stretch);
 void strain_limit_free(strain_limit *l);
 

@@ -41,7 +41,7 @@ typedef struct triangle_material {
 /** Takes over the mesh's triangles, except those without a rest shape (mesh_rest.h), which carry no
  *  force. Returns 0, or -1 if out of memory. */
 int triangle_elements_init(triangle_elements *e, const mesh *m);
-/** Fills `block`. 0, or -1: out of memory. */
+/** Fills `block`. Returns 0, or -1 if out of memory. */
 int triangle_elements_place(triangle_elements *e, const block_matrix *A);
 void triangle_elements_free(triangle_elements *e);
 

@@ -7,7 +7,7 @@
 #include "mesh/mesh_rest.h"
 #include "mesh/surface.h"
 
-/** Reads an OBJ file (obj.h); its coordinates are metres, z is up. 0, or -1 after
+/** Reads an OBJ file (obj.h), whose coordinates are in metres with z up. Returns 0, or -1 after
  *  "file: ..., expected ..." on standard error. mesh_free frees it. */
 int mesh_file_read(mesh *m, const char *path);
 

@@ -51,8 +51,8 @@ int mesh_check_numbers(const mesh *m, char *error);
  *  left. */
 int mesh_clean(mesh *m, mesh_problem *found, char *error);
 
-/** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. 0, or -1: out of
- *  memory. */
+/** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. Returns 0, or -1
+ *  if out of memory. */
 int mesh_check(const mesh *m, mesh_problem *found);
 
 /** The name of a kind of defect in the plural, such as "triangles without area". */

@@ -48,8 +48,8 @@ typedef struct checkpoint {
 int checkpoint_write(const run_record *record, const scene *s, const mesh *cloth, simulation *sim,
                      const char *path);
 
-/** Reads the file and checks all that can be checked without the mesh; checkpoint_free frees it. 0,
- *  or -1 after a message about the defect. */
+/** Reads the file and checks all that can be checked without the mesh; checkpoint_free frees it.
+ *  Returns 0, or -1 after a message about the defect. */
 int checkpoint_read(checkpoint *c, const char *path);
 void checkpoint_free(checkpoint *c);
 

@@ -17,7 +17,8 @@ typedef struct fresh_file {
  *  must not be called. */
 int fresh_file_open(fresh_file *f, const char *path);
 
-/** Flushes the data to the disk. 0, or -1 after a message; call fresh_file_close in either case. */
+/** Flushes the data to the disk. Returns 0, or -1 after a message. Call fresh_file_close in either
+ *  case. */
 int fresh_file_sync(fresh_file *f);
 
 /** Renames the file if `status`, the result of writing so far, is 0; otherwise removes it. Returns

@@ -6,7 +6,7 @@
 /** The maximum resident size so far, bytes. */
 double memory_peak(void);
 
-/** The bytes that are allocated and not yet freed, touched or not; -1 if the C library does not
+/** The bytes that are allocated and not yet freed, touched or not, or -1 if the C library does not
  *  report them. */
 double memory_allocated(void);
 

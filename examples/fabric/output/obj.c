@@ -72,8 +72,8 @@ static int resolve(long reference, int count) {
     return reference >= 1 && reference <= count ? (int)(reference - 1) : -1;
 }
 
-/** Reads one corner: "vertex" or "vertex/material", optionally followed by "/normal". NULL after a
- *  message. */
+/** Reads one corner: "vertex" or "vertex/material", optionally followed by "/normal". Returns the
+ *  text after it, or NULL after a message. */
 static const char *read_corner(const obj_reader *r, const char *text, int *vertex, int *material) {
     char *end;
     *vertex = resolve(strtol(text, &end, 10), r->vertices);

@@ -14,7 +14,7 @@ typedef enum progress_style {
 /** The styles' names, in their order, NULL after the last. */
 extern const char *const progress_styles[];
 
-/** Replaces PROGRESS_AUTO by the style for standard error; returns other styles unchanged. */
+/** Replaces PROGRESS_AUTO by the style for standard error. Returns other styles unchanged. */
 progress_style progress_resolve(progress_style style);
 
 /** State of the reports. Only one may be active in a process, because signs of life use the

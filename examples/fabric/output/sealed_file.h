@@ -46,13 +46,13 @@ typedef struct sealed_kind {
 } sealed_kind;
 
 /** Writes a temporary file and renames it, so that a file of that name is always complete. The
- *  caller sets the header's parts, counts, time, step and payload_size; the rest is filled in. 0,
- *  or -1 after a message. */
+ *  caller sets the header's parts, counts, time, step and payload_size; the rest is filled in.
+ *  Returns 0, or -1 after a message. */
 int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void *payload,
                       const char *path);
 
-/** Reads and checks the file. Returns its payload, [header->payload_size], which the caller frees;
- *  NULL after a message about the defect. */
+/** Reads and checks the file. Returns its payload, [header->payload_size], which the caller frees,
+ *  or NULL after a message about the defect. */
 void *sealed_file_read(const sealed_kind *kind, sealed_header *header, const char *path);
 
 /** Prints "path: what" on standard error. Returns -1. */

@@ -33,12 +33,12 @@ typedef struct state {
     void *memory;           /* allocated by state_read, freed by state_free */
 } state;
 
-/** Writes a temporary file and renames it, so that a file of that name is always complete. 0, or
- *  -1 after a message on standard error. */
+/** Writes a temporary file and renames it, so that a file of that name is always complete. Returns
+ *  0, or -1 after a message on standard error. */
 int state_write(const state *s, const char *path);
 
-/** Reads and checks the file; state_free frees it. 0, or -1 after a message on standard error
- *  about the defect: not a state, incomplete, damaged, another version. */
+/** Reads and checks the file; state_free frees it. Returns 0, or -1 after a message on standard
+ *  error if the file is no state, incomplete, damaged or of another version. */
 int state_read(state *s, const char *path);
 
 void state_free(state *s);

@@ -17,7 +17,7 @@ typedef struct run_account {
     int interrupted;      /* the run ended before its last step */
 } run_account;
 
-/** Writes the JSON object to a temporary file and renames it. 0, or -1 after a message. */
+/** Writes the JSON object to a temporary file and renames it. Returns 0, or -1 after a message. */
 int summary_write(const run_account *run, const char *path);
 
 /** Prints a few lines to standard output. */

@@ -190,11 +190,11 @@ static inline int scene_has_wind(const scene *s) {
             s->surroundings.wind[2] != 0);
 }
 
-/** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
+/** Writes the scene so that scene_read gives the same bits. Returns 0, or -1 with errno set. */
 int scene_write(const scene *s, const char *path);
 
-/** Returns the text, of *size bytes, that scene_write writes; the caller frees it. NULL if out of
- *  memory. */
+/** Returns the text, of *size bytes, that scene_write writes, or NULL if out of memory. The caller
+ *  frees it. */
 char *scene_text(const scene *s, size_t *size);
 /** As scene_read, from a text in memory, which is not changed. Messages begin with `name` instead
  *  of the file's name. */

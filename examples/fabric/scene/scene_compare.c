@@ -16,7 +16,8 @@ typedef struct comparison {
 
 static int compare_keys(comparison *of, const scene_key *keys, const char *path);
 
-/** Returns a value in the format of scene files, which the caller frees; NULL if out of memory. */
+/** Returns a value in the format of scene files, which the caller frees, or NULL if out of
+ *  memory. */
 static char *value_text(const scene_key *key, const char *source) {
     char *text = NULL;
     size_t size;

@@ -18,7 +18,8 @@ static const value_range positive = {0.0, 1e300, 1};
 static const value_range not_negative = {0.0, 1e300, 0};
 #define BETWEEN(low, high) (&(const value_range){low, high, 0})
 
-/* A key with the name of its field. `of` has the bits of the kinds that have the key; 0: all. */
+/* A key with the name of its field. `of` has the bits of the kinds that have the key, or is 0 if
+ * all have it. */
 #define KEY(struct_, field, kind, required, components, range, of)                                 \
     { #field, kind, offsetof(struct_, field), required, components, range, of, NULL, NULL, NULL }
 #define WHOLE(struct_, field, required, range)                                                     \

@@ -334,8 +334,8 @@ const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *m
     return NULL;
 }
 
-/** Returns the kind that follows from the keys present: the first kind that has a key which not all
- *  kinds have. The first such key decides; 0 if there is none. */
+/** Returns the kind that follows from the keys present, or 0 if none follows. The first key that
+ *  not all kinds have decides: the first kind that has it is returned. */
 static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const scene_key *keys) {
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
          pair < node->data.mapping.pairs.top; pair++) {
@@ -349,7 +349,7 @@ static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const
     return 0;
 }
 
-/** Returns the item's kind, on which its other keys depend; -1 if keys have no kind; -2 after a
+/** Returns the item's kind, on which its other keys depend, -1 if keys have no kind, or -2 after a
  *  message. */
 static int read_kind(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                      const char *path) {

@@ -33,7 +33,8 @@ const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *nod
 const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *mapping,
                                   const char *name, size_t length);
 
-/** Reads a mapping whose keys are `keys` into the struct at `target`. 0, or -1 after a message. */
+/** Reads a mapping whose keys are `keys` into the struct at `target`. Returns 0, or -1 after a
+ *  message. */
 int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                        void *target, const char *path);
 

@@ -76,11 +76,12 @@ typedef struct solver_limits {
     int max_iterations;
 } solver_limits;
 
-/** Allocates a solver with block-Jacobi conjugate gradients in double. 0, or -1: out of memory. */
+/** Allocates a solver with block-Jacobi conjugate gradients in double. Returns 0, or -1 if out of
+ *  memory. */
 int solver_init(solver *s, int count);
 /** Selects another method, after solver_init, for matrices of A's layout. Frees the arrays for
- *  block-Jacobi and solver_defect if neither is needed. Keeps a reference to A. 0, or -1 with a
- *  message in error[256]. */
+ *  block-Jacobi and solver_defect if neither is needed. Keeps a reference to A. Returns 0, or -1
+ *  with a message in error[256]. */
 int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error);
 void solver_free(solver *s);
 

@@ -69,7 +69,8 @@ static int lay_out(domain_solver *d, block_matrix *m) {
     return 0;
 }
 
-/* Lists the blocks of `across` by columns, for sweeps of odd domains. 0, or -1: out of memory. */
+/* Lists the blocks of `across` by columns, for sweeps of odd domains. Returns 0, or -1 if out of
+ * memory. */
 static int lay_out_columns(domain_solver *d) {
     const block_matrix *m = &d->across;
     d->reached_start = arrays_add(&d->own, (size_t)m->row_count + 2, sizeof *d->reached_start);

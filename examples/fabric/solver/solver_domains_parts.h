@@ -75,7 +75,8 @@ void domain_sweep_direction(domain_solver *d, int domain);
  *  domains. */
 double domain_finish_image(domain_solver *d, int domain);
 
-/** correction += alpha p, residual -= alpha image; returns the residual's squared norm. */
+/** Adds alpha p to the correction and subtracts alpha image from the residual. Returns the
+ *  residual's squared norm. */
 double domain_advance(domain_solver *d, int domain, double alpha);
 
 /** p = residual + beta p */

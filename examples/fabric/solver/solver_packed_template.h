@@ -71,7 +71,7 @@ static inline void PACKED(multiply)(const REAL D[6], const REAL x[3], REAL out[3
     out[2] = D[2] * x[0] + D[4] * x[1] + D[5] * x[2];
 }
 
-/* image = A^ p; returns p . image. */
+/* image = A^ p. Returns p . image. */
 static double PACKED(image_plain)(const PACKED(system) * s, const block_matrix *A) {
     double sum = 0;
     memset(s->image, 0, sizeof *s->image * (size_t)A->row_count);
@@ -98,7 +98,7 @@ static double PACKED(image_plain)(const PACKED(system) * s, const block_matrix *
     return sum;
 }
 
-/* image = t + (I + U)^-T (p + (D^ - 2 I) t); returns p . image. */
+/* image = t + (I + U)^-T (p + (D^ - 2 I) t). Returns p . image. */
 static double PACKED(image_gauss_seidel)(const PACKED(system) * s, const block_matrix *A) {
     const REAL(*restrict upper)[3][3] = s->upper;
     REAL(*restrict image)[3] = s->image;
@@ -124,7 +124,7 @@ static double PACKED(image_gauss_seidel)(const PACKED(system) * s, const block_m
     return sum;
 }
 
-/* image = (I + F)^-T A^ (I + F)^-1 p; returns p . image. The product and the second sweep share one
+/* image = (I + F)^-T A^ (I + F)^-1 p. Returns p . image. The product and the second sweep share one
  * loop. */
 static double PACKED(image_factored)(const PACKED(system) * s, const block_matrix *A) {
     REAL(*restrict image)[3] = s->image;
@@ -213,7 +213,8 @@ static void PACKED(add_correction)(const PACKED(system) * s, const block_matrix 
     }
 }
 
-/* correction += alpha p, residual -= alpha image; returns the residual's squared norm. */
+/* Adds alpha p to the correction and subtracts alpha image from the residual. Returns the
+ * residual's squared norm. */
 static double PACKED(advance)(const PACKED(system) * s, int count, REAL alpha) {
     double sum[3] = {0, 0, 0};
     for (int i = 0; i < count; i++)

@@ -21,8 +21,8 @@ void forces_assemble_lagged(simulation *sim, const expansion *at);
  * strain limit. */
 void forces_add_elastic(simulation *sim, const expansion *at);
 
-/** Adds the elements that the solution dv subjects to an effect (the strain limit) within the step;
- *  returns their number. If it is not 0, the system must be solved again. */
+/** Adds the elements that the solution dv subjects to an effect (the strain limit) within the step.
+ *  Returns their number. If it is not 0, the system must be solved again. */
 int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
 #endif

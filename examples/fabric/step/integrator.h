@@ -46,7 +46,7 @@ typedef struct integrator_memory {
     arrays own;
 } integrator_memory;
 
-/** 0, or -1: out of memory. */
+/** Returns 0, or -1 if out of memory. */
 int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count);
 void integrator_free(integrator_memory *memory);
 

@@ -51,19 +51,20 @@ void updateSystem(simulation *sim);
  * be run afterwards. */
 void simulation_make_room(simulation *sim);
 
-/** Returns the memory that a direct solution would allocate, bytes; 0 if the program does not
- *  support it. *only: the scene requires direct solutions (otherwise they are a fall-back). */
+/** Returns the memory that a direct solution would allocate, bytes, or 0 if the program does not
+ *  support it. Sets *only if the scene requires direct solutions (otherwise they are a
+ *  fall-back). */
 double simulation_direct_bytes(const simulation *sim, int *only);
 
 /** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
  *  all. The bits are the same. */
 void simulation_choose_threads(simulation *sim);
-/** The current number of threads; 0: all. */
+/** Returns the current number of threads, or 0 if all are used. */
 int simulation_threads(const simulation *sim);
 
 /** From now on a step with `contact: barrier`, which may take long, checks *stop in each of its
  *  iterations. If *stop is not 0, simulation_step restores the state before the step and returns 1.
- *  Keeps the pointer. 0, or -1: out of memory. */
+ *  Keeps the pointer. Returns 0, or -1 if out of memory. */
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
 /** Makes one step of the scene: the four phases, timed, repeated until the step's end is reached.
@@ -88,7 +89,7 @@ double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
 const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-/** *count: the number of logged rejections, at most MOST_REJECTIONS. */
+/** Sets *count to the number of logged rejections, at most MOST_REJECTIONS. */
 const rejection *simulation_rejections(const simulation *sim, int *count);
 
 /** Counts of a run so far. */

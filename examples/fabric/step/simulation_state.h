@@ -96,7 +96,7 @@ static inline int simulation_rejections_logged(const simulation *sim) {
                                                          : MOST_REJECTIONS;
 }
 
-/** Allocates the log of rejections, if there is none. 0, or -1: out of memory. */
+/** Allocates the log of rejections, if there is none. Returns 0, or -1 if out of memory. */
 int simulation_log_rejections(simulation *sim);
 
 /** Does the effect act in the current step? */

@@ -58,7 +58,7 @@ void team_check(team *t, double now);
 /** Ends the round, and restores OpenMP's number of threads. */
 void team_end(team *t, const team_round *round);
 
-/** The chosen number of threads; 0 for OpenMP's number. */
+/** Returns the chosen number of threads, or 0 if OpenMP's number is used. */
 int team_threads(const team *t);
 
 #endif

@@ -25,12 +25,12 @@ typedef struct constraints {
     int used, room;
 } constraints;
 
-/** Makes all vertices free. 0, or -1: out of memory. */
+/** Makes all vertices free. Returns 0, or -1 if out of memory. */
 int constraints_init(constraints *c, int count);
 void constraints_free(constraints *c);
 
-/** Adds vertex i to `list`, if it is not in it. 0, or -1: out of memory. To be called by one
- * thread, before constraint_give. */
+/** Adds vertex i to `list`, if it is not in it. Returns 0, or -1 if out of memory. To be called by
+ *  one thread, before constraint_give. */
 int constraint_place(constraints *c, int i);
 
 /** Makes vertex i free; it stays in `list`. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Sorts the first `count` of `column` and drops repetitions; returns how many are left. */
+/* Sorts the first `count` of `column` and drops repetitions. Returns how many are left. */
 static int sort_unique(int *column, int count) {
     int kept = 0;
     for (int k = 0; k < count; k++) {

@@ -35,8 +35,8 @@ typedef struct element_list {
 } element_list;
 
 /** Lays out A for the elements in `lists`; values and b are unset until system_reset. Elements that
- *  exert no force should be left out, to save memory and time. 0, or -1: out of memory (then s is
- *  empty). */
+ *  exert no force should be left out, to save memory and time. Returns 0, or -1 if out of memory
+ *  (then s is empty). */
 int system_init(linear_system *s, int vertex_count, int list_count, const element_list *lists);
 void system_free(linear_system *s);
 

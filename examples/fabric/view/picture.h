@@ -15,8 +15,8 @@ typedef struct picture {
 int picture_new(picture *p, int width, int height);
 void picture_free(picture *p);
 
-/** Halves width and height, which must be even: each pixel is the mean of four. 0, or -1: out of
- *  memory. */
+/** Halves width and height, which must be even: each pixel is the mean of four. Returns 0, or -1 if
+ *  out of memory. */
 int picture_halve(const picture *p, picture *half);
 
 /** Copies `from` into `onto` with its upper left corner at (x, y). Parts outside of `onto` are
@@ -27,7 +27,8 @@ void picture_paste(picture *onto, const picture *from, int x, int y);
  *  pixels each; the upper left corner is at (x, y). */
 void picture_text(picture *p, int x, int y, int dot, const char *text);
 
-/** Writes a temporary file and renames it to `path`. 0, or -1 after a message on standard error. */
+/** Writes a temporary file and renames it to `path`. Returns 0, or -1 after a message on standard
+ *  error. */
 int picture_write_png(const picture *p, const char *path);
 
 #endif

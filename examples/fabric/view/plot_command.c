@@ -16,7 +16,7 @@ static const char *const tables[] = {"dt",     "cg",         "newton",         "
                                      "solver", "sum",        "horizon"};
 
 /** Runs gnuplot in `folder`. Scripts find their own folder in gnuplot's variable `plots`. Returns
- *  gnuplot's exit status; 127 if it cannot be started; -1 if it does not exit normally. */
+ *  gnuplot's exit status, 127 if it cannot be started, or -1 if it does not exit normally. */
 static int run_gnuplot(const char *folder, const char *plots, const char *name) {
     char definition[FILE_PATH_SIZE + 16], common[FILE_PATH_SIZE + 32], script[FILE_PATH_SIZE + 32];
     snprintf(definition, sizeof definition, "plots = '%s/'", plots);
