@@ -40,7 +40,8 @@ static void compute_force(const double (*x)[3], const double (*v)[3], int i, int
                                shear * (u_share[p] * wv[c] + v_share[p] * wu[c]));
 }
 
-/* The derivatives of these forces by the corners' positions and velocities, in an implicit step. */
+/* The derivatives of compute_force's forces by the corners' positions and velocities, in an
+ * implicit step. */
 static void compute_derivatives(const double (*x)[3], int i, int j, int k, const double u_share[3],
                                 const double v_share[3], double area, double df[3][3][3][3]) {
     double wu[3], wv[3], nu[3], nv[3];

@@ -15,10 +15,10 @@ void assembly_thin(simulation *whole);
 /** Sends the hinges' angles, which count whole rotations, to parts that were just made. */
 void assembly_start(part *p, const simulation *whole);
 
-/** As forces_assemble; `at` is the leader's, or NULL on other ranks. */
+/** Like forces_assemble, but over all ranks; `at` is the leader's, or NULL on other ranks. */
 void assembly_forces(part *p, simulation *whole, const expansion *at);
 
-/** As forces_add_missed. Returns on all ranks whether elements were added. */
+/** Like forces_add_missed, but over all ranks. Returns on all ranks whether elements were added. */
 int assembly_missed(part *p, simulation *whole, const expansion *at, const double (*dv)[3]);
 
 /** Sends the leader's diagonal and b to the parts. */

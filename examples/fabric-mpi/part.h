@@ -55,8 +55,8 @@ typedef struct part {
         *domains;                 /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
     struct petsc_solver *petsc;   /* --bits=any (solution_petsc.h); else NULL */
     struct part_picture *picture; /* the leader's, if a picture was requested; else NULL */
-    double (*diagonal)[9];        /* [mesh.vertex_count] buffer to exchange the matrix' diagonal */
-    int *global;      /* [mesh.vertex_count] each vertex' number in the whole mesh, ascending */
+    double (*diagonal)[9];        /* [mesh.vertex_count] buffer to exchange the matrix's diagonal */
+    int *global;      /* [mesh.vertex_count] each vertex's number in the whole mesh, ascending */
     int *hinge;       /* [mesh.hinge_count] each hinge's number in the whole mesh, ascending */
     own_block *block; /* [blocks] ascending */
     int blocks;
@@ -88,15 +88,15 @@ static inline PetscSF part_solved(const part *p) {
 /* ---- exchange of `size` doubles per vertex ---- */
 /** Sends whole [vertices] to local [mesh.vertex_count]. */
 void part_receive(PetscSF sf, int size, const void *whole, void *local);
-/** As part_receive, with one byte or one int per vertex. */
+/** Like part_receive, but with one byte or one int per vertex. */
 void part_receive_bytes(PetscSF sf, const unsigned char *whole, unsigned char *local);
 void part_receive_ints(PetscSF sf, const int *whole, int *local);
 /** Sends the values of the vertices that each rank owns back to the leader. */
 void part_return(const part *p, int size, const void *local, void *whole);
 /** Sets the ghosts' values, value [mesh.vertex_count][3], to those of their owners. */
 void part_update_ghosts(const part *p, double (*value)[3]);
-/** As part_update_ghosts, only for ghosts in odd domains or in even ones, and split into begin and
- *  end. In between, the rank may use values that are neither sent nor received. */
+/** Like part_update_ghosts, but only for ghosts in odd domains or in even ones, and split into
+ *  begin and end. In between, the rank may use values that are neither sent nor received. */
 void part_update_kind_begin(const part *p, int odd, double (*value)[3]);
 void part_update_kind_end(const part *p, int odd, double (*value)[3]);
 /** Sums own [blocks] of all ranks in the order of the cloth's blocks. The result is the same on all

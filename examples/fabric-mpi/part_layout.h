@@ -12,7 +12,7 @@ void *part_memory(size_t count, size_t size);
 typedef struct division {
     int count;  /* number of blocks */
     int *first; /* [count + 1] each block's first vertex */
-    int *of;    /* [vertices] each vertex' block */
+    int *of;    /* [vertices] each vertex's block */
     int *owner; /* [count] the rank that owns each block */
 } division;
 

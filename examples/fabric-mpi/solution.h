@@ -15,14 +15,14 @@ typedef struct whole_system {
     double (*residual)[3]; /* as in struct solver */
 } whole_system;
 
-/** As solver_solve; `limits` are the leader's, or NULL on other ranks. */
+/** Like solver_solve; `limits` are the leader's, or NULL on other ranks. */
 solver_status solution_solve(part *p, const whole_system *whole, const solver_limits *limits,
                              long *iterations);
 
-/** As solver_defect. */
+/** Like solver_defect. */
 double solution_defect(part *p, const whole_system *whole, double *reference);
 
-/** As solver_impulses. */
+/** Like solver_impulses. */
 void solution_impulses(part *p, const whole_system *whole);
 
 #endif

@@ -17,13 +17,13 @@ void solution_residual(part *p, double (*x)[3]);
 /** Sets the solver's residual to b - A z, without filtering. Tolerances are relative to it. */
 void solution_reference(part *p, int which);
 
-/** As solver_solve with block-Jacobi, from the guess dv. */
+/** Solves like solver_solve with block-Jacobi, starting from the guess dv. */
 solver_status jacobi_solve(part *p, const solver_limits *limits, int which, long *iterations);
 
-/** As solver_defect. */
+/** Like solver_defect. */
 double jacobi_defect(part *p, int which, double *reference);
 
-/** As solver_solve with Gauss-Seidel, from the guess dv. */
+/** Solves like solver_solve with Gauss-Seidel, starting from the guess dv. */
 solver_status domains_solve(part *p, const solver_limits *limits, int which, long *iterations);
 
 #endif

@@ -16,8 +16,8 @@
 struct petsc_solver *petsc_solver_new(const part *p);
 void petsc_solver_free(struct petsc_solver *s);
 
-/** As solver_solve, from the guess dv. `which` is the result of solver_apply for the whole
- *  cloth. */
+/** Solves like solver_solve, starting from the guess dv. `which` is the result of solver_apply for
+ *  the whole cloth. */
 solver_status petsc_solve(part *p, const solver_limits *limits, int which, long *iterations);
 
 #endif

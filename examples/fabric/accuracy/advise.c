@@ -94,7 +94,7 @@ static int extend(const adviser *a, series *r) {
     return 0;
 }
 
-/* Extends the series until its expected error is small enough. Returns as `extend`. */
+/* Extends the series until its expected error is small enough. Returns what `extend` returns. */
 static int reach(const adviser *a, series *r, double error) {
     while (r->count == 0 || !(r->error <= error)) {
         const int status = extend(a, r);

@@ -36,7 +36,7 @@ void measured_free(measured *m);
  *  largest distance. NaN if either run did not finish. */
 double measured_distance(const measured *a, const measured *b, double *largest);
 
-/** As measured_distance, for two arrays of `count` positions; `largest` may be NULL. */
+/** Like measured_distance, but for two arrays of `count` positions; `largest` may be NULL. */
 double distance_of(int count, const double (*x)[3], const double (*y)[3], double *largest);
 
 /** Sets *to to the mesh with each coordinate moved at random by up to `most` m. The caller frees
@@ -52,8 +52,8 @@ scene divided(const scene *s, int steps);
 /** Returns the scene with `factor` times as many vertices, for a generated mesh. */
 scene refined(const scene *s, double factor);
 
-/** As `divided`, with this integrator and tolerance. It is the tolerance of the linear system or,
- *  for integrators that use Newton's method, of that method; its linear systems are then solved
+/** Like `divided`, but with this integrator and tolerance. It is the tolerance of the linear system
+ *  or, for integrators that use Newton's method, of that method; its linear systems are then solved
  *  less accurately. */
 scene divided_by(const scene *s, int integrator, int steps, double tolerance);
 

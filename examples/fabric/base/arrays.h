@@ -19,8 +19,8 @@ void *arrays_add(arrays *of, size_t count, size_t size);
 void arrays_free(arrays *of);
 
 /** Grows a single array to at least `count` items of `size` bytes. `address` is the address of its
- *  pointer, *room its capacity in items. Returns 0, or -1 if out of memory or if `count` exceeds
- *  INT_MAX; the array is then unchanged. */
+ *  pointer, and *room is its capacity in items. Returns 0, or -1 if out of memory or if `count`
+ *  exceeds INT_MAX; the array is then unchanged. */
 int array_grow(void *address, int *room, long count, size_t size);
 
 #endif

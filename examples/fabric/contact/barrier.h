@@ -73,7 +73,7 @@ typedef struct barrier {
                             * own axes */
     double (*rest)[3];     /* [cloth's vertices] m, rest positions */
     int *component;        /* [cloth's vertices] connected component of the cloth */
-    int *collider;         /* [surface's vertices] index of the vertex' collider; -1: of the
+    int *collider;         /* [surface's vertices] index of the vertex's collider; -1: of the
                             * cloth */
     unsigned char *driven; /* [surface's vertices] moved by a pin or a body */
     double stiffness;      /* J */

@@ -131,8 +131,8 @@ static double distance_from_search(const barrier *b, const double (*x)[3],
     return most;
 }
 
-/* Removes the candidates that cannot come within their reach while all vertices stay in the margin.
- */
+/* Removes the candidates that cannot come within their reach while no vertex moves by more than the
+ * margin. */
 static void drop_far_candidates(barrier *b, const double (*x)[3]) {
     self_pair *candidate = b->search.pair;
     const int found = b->search.pair_count;

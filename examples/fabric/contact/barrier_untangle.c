@@ -24,7 +24,7 @@ static const double wanted_part = 0.5;
 typedef struct untangling {
     barrier *b;
     int cloths, parts; /* number of connected parts of the cloth; that number plus the bodies */
-    int *part;         /* [surface's vertices] index of the vertex' part */
+    int *part;         /* [surface's vertices] index of the vertex's part */
     double *side;      /* [cloths * parts] > 0: the first part is on the side to which the second's
                         * normals point */
     int *patch; /* [cloth's vertices] union-find parent: patches of vertices over their own part */

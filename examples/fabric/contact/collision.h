@@ -106,8 +106,8 @@ static inline int collisions_pin_of(const collisions *c, int vertex) {
     return c->pinned.pin_of ? c->pinned.pin_of[vertex] : -1;
 }
 
-/** The velocity, [3] m/s, of the collider's material at the vertex' contact n of the current step.
- */
+/** The velocity, [3] m/s, of the collider's material at the vertex's contact n of the current
+ *  step. */
 static inline const double *collisions_carried(const collisions *c, int vertex, int n) {
     return c->carried ? c->carried[vertex][n]
                       : c->scene->colliders[c->now[vertex].list[n].collider].velocity;

@@ -54,7 +54,7 @@ static double own_reach(const collider *k, double h) {
     return 1.01 * (h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
 }
 
-/* As own_reach, for a collider with keyframes. The bound covers the part of the collider that the
+/* Like own_reach, for a collider with keyframes. The bound covers the part of the collider that the
  * cloth may meet. */
 static double own_reach_keyed(const collider *k, const body_motion *m, const cloth_ball *ball) {
     double from[3];

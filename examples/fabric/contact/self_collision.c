@@ -14,7 +14,7 @@ static const double separation_rate = 0.25;
 /* Pairs that would pass keep this fraction of their distance, or of the gap. */
 static const double kept_part = 0.1;
 
-/* Each vertex and edge is owned by the first of its triangles. */
+/* Assigns each vertex and each edge to the first of its triangles. */
 static int share_out(self_collision *s) {
     const mesh *m = s->mesh;
     const int count = 3 * m->triangle_count;

@@ -109,14 +109,14 @@ void self_collision_free(self_collision *s);
  *  (m/s). Returns 0, or -1 if out of memory or if a number is not finite. */
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** One round of impulses, in order, over the pairs that self_collision_find found for this h and x.
- *  Changes v and adds the energy of the impulses to *work (J). Returns the largest change of a
- *  normal velocity, m/s. */
+/** Gives one round of impulses, in order, to the pairs that self_collision_find found for this h
+ *  and x. Changes v and adds the energy of the impulses to *work (J). Returns the largest change of
+ *  a normal velocity, m/s. */
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 
 /** Repeats the search, because the swept boxes changed with the velocities, and counts the passing
- *  pairs in s->left. Returns 0, or -1 as self_collision_find. */
+ *  pairs in s->left. Returns 0, or -1 if out of memory or if a number is not finite. */
 int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
 /** Do the pair's features pass through each other in the step? */

@@ -78,7 +78,7 @@ static double foot_in_plane(const double x[4][3], double weight[4]) {
 }
 
 /* Computes the weights of the features' nearest points. Returns their distance, infinite if the
- * vertex' projection lies outside of the triangle by more than `outside`. */
+ * vertex's projection lies outside of the triangle by more than `outside`. */
 static double distance_between(int is_edges, const double x[4][3], double outside,
                                double weight[4]) {
     double separation[3];

@@ -27,7 +27,7 @@ static void across(const double cross[3], double length, const double wind[3], d
             d[r][c] = scale * (cross[r] * cross[c]);
 }
 
-/* As `across`, but with I - n n' in place of n n'. */
+/* Computes the terms of `across` with I - n n' in place of n n'. */
 static void along(const double cross[3], double length, const double wind[3], double factor,
                   const double v_i[3], const double v_j[3], const double v_k[3], double f[3][3],
                   double d[3][3]) {

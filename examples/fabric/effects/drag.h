@@ -2,9 +2,9 @@
 /**
  * Air drag and wind. The force in N at each vertex of a triangle is
  *     f = -drag (a / 3) (n . (v - wind)) n      drag kg/(m^2 s)
- * with the triangle's current area a (m^2) and unit normal n, the vertex' velocity v and the wind's
- * velocity (m/s) (Provot 1995, but per area). A vertex' force depends on its own velocity only, so
- * df/dv lies in A's diagonal blocks. Tangential drag is
+ * with the triangle's current area a (m^2) and unit normal n, the vertex's velocity v and the
+ * wind's velocity (m/s) (Provot 1995, but per area). A vertex's force depends on its own velocity
+ * only, so df/dv lies in A's diagonal blocks. Tangential drag is
  *     f = -drag (a / 3) (I - n n') (v - wind)   n': n transposed
  * with another coefficient: without it, wind that blows along a flag does not move the flag.
  */

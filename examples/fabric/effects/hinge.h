@@ -32,7 +32,7 @@ typedef struct hinge_elements {
      * positions where the previous one ended. The arrays are NULL until
      * hinge_elements_cache_angles. */
     double *cached;        /* [count] rad, the angles */
-    double (*cached_x)[3]; /* [vertices] m, the positions that have these angles */
+    double (*cached_x)[3]; /* [vertices] m, the positions at which the angles were computed */
     int vertices;          /* the hinges' greatest vertex number, plus 1 */
     int has_cached;        /* the cache is filled, and `angle` has not changed since */
     arrays own;

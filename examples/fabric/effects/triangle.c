@@ -6,7 +6,7 @@
 #include "effect.h"
 #include "triangle_terms.h"
 
-/* The effects that this build contains: FABRIC_WITHOUT leaves some out. */
+/* The effects that this build contains. The macro FABRIC_WITHOUT leaves some out. */
 enum {
     built_effects = (BUILT_WITH(EFFECT_STRETCH) ? TRIANGLE_STRETCH : 0) |
                     (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)

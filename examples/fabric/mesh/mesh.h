@@ -14,7 +14,7 @@ typedef struct mesh {
                             * `material` */
     int bent_at_rest;      /* the hinges' rest angles are those in `position`; otherwise they are
                             * 0 */
-    int *number;        /* [vertex_count] each vertex' number before mesh_reorder; NULL: unknown */
+    int *number;        /* [vertex_count] each vertex's number before mesh_reorder; NULL: unknown */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */
     int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings */
@@ -45,12 +45,12 @@ int mesh_connect(mesh *m, int *non_manifold, char *error);
 /** Renumbers the vertices; `seed` is for the shuffled order. Triangles, edges and hinges are then
  *  sorted by their vertices, except that the shuffled order shuffles them too. new_of_old
  *  [vertex_count] receives the permutation unless it is NULL; with it, results in different orders
- *  can be compared. Returns 0, or -1 with a message in error[256]: the mesh is unchanged. */
+ *  can be compared. Returns 0, or -1 with a message in error[256]; the mesh is then unchanged. */
 int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error);
 
 /** Renumbers the vertices by a permutation (`back`: by its inverse, which undoes mesh_reorder), and
  *  sorts triangles, edges and hinges by their vertices. Returns 0, or -1 with a message in
- * error[256]: new_of_old is no permutation, or out of memory. */
+ *  error[256] if new_of_old is no permutation or memory runs out. */
 int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
 /** The mean length of the triangles' sides in `position`, in m; infinite without triangles. */

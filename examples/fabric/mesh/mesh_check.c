@@ -159,7 +159,7 @@ static void check_triangles(const mesh *m, mesh_problem *found, unsigned char *u
             note(found, MESH_LONE_VERTEX, v);
 }
 
-/** A vertex' position and index. */
+/** A vertex's position and index. */
 typedef struct place {
     double at[3];
     int vertex;

@@ -10,7 +10,7 @@
 enum { BITS = 16 }; /* per coordinate: the curve passes through 2^16 * 2^16 cells */
 
 typedef struct stop {
-    uint32_t along; /* number of cells on the curve before the vertex' cell */
+    uint32_t along; /* number of cells on the curve before the vertex's cell */
     int vertex;
 } stop;
 

@@ -122,7 +122,7 @@ static void bound(const surface *s, tree_node *node, int first, int count) {
     }
 }
 
-/* Splits the triangles at the middle of the box' longest edge. Returns the number of triangles
+/* Splits the triangles at the middle of the box's longest edge. Returns the number of triangles
  * below it, or 0 if all are on one side. */
 static int split(surface *s, const tree_node *node, int first, int count) {
     int axis = 0, at = first;

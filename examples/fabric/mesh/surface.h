@@ -2,9 +2,9 @@
 /**
  * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
  * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
- * is inside (Baerentzen and Aanaes 2005: a vertex' normals weighted by their angles). The triangles
- * must be counter-clockwise seen from outside. If the surface is open, the sign depends on which
- * side of the nearest triangle the point lies.
+ * is inside (Baerentzen and Aanaes 2005: a vertex's normals weighted by their angles). The
+ * triangles must be counter-clockwise seen from outside. If the surface is open, the sign depends
+ * on which side of the nearest triangle the point lies.
  */
 #ifndef FABRIC_SURFACE_H
 #define FABRIC_SURFACE_H
@@ -13,8 +13,9 @@
 
 typedef struct surface surface;
 
-/** Takes ownership of the mesh, and leaves *m empty. Triangles without area are ignored. NULL with
- * a message in error[256], and *m unchanged: no triangle has area, or out of memory. */
+/** Takes ownership of the mesh, and leaves *m empty. Triangles without area are ignored. Returns
+ *  NULL with a message in error[256], and leaves *m unchanged, if no triangle has area or memory
+ *  runs out. */
 surface *surface_new(mesh *m, char *error);
 void surface_free(surface *s);
 
@@ -25,7 +26,7 @@ double surface_distance(const surface *s, const double p[3], double normal[3]);
 /** The surface's largest coordinate in magnitude, in m. */
 double surface_reach(const surface *s);
 
-/** The vertex' pseudonormal, of any length. */
+/** The vertex's pseudonormal, of any length. */
 const double *surface_normal(const surface *s, int vertex);
 
 /** The mesh from which the surface was made. */

@@ -11,9 +11,9 @@ int obj_write(const mesh *m, const char *path);
 
 /**
  * Reads vertices, material coordinates and faces; a polygon becomes a fan of triangles.
- * mesh_connect adds edges and hinges. Without vt lines, x and y are a vertex' material coordinates.
- * Lines of other kinds are ignored. Returns 0, or -1 after "file:line: ..." on standard error.
- * mesh_free frees the mesh.
+ * mesh_connect adds edges and hinges. Without vt lines, x and y are a vertex's material
+ * coordinates. Lines of other kinds are ignored. Returns 0, or -1 after "file:line: ..." on
+ * standard error. mesh_free frees the mesh.
  */
 int obj_read(mesh *m, const char *path);
 

@@ -18,7 +18,7 @@ extern const char *const progress_styles[];
 progress_style progress_resolve(progress_style style);
 
 /** State of the reports. Only one may be active in a process, because signs of life use the
- *  process' alarm signal. */
+ *  process's alarm signal. */
 typedef struct progress {
     progress_style style;
     long first, steps; /* the run begins after step `first` and ends with `steps` */

@@ -8,7 +8,7 @@
  * The payload has these arrays in this order, each one only if its bit is set (positions always):
  * positions [vertices][3] (m; float with STATE_SINGLE, else double), velocities [vertices][3]
  * (double, m/s), triangles [triangles][3] (int32, vertices), original numbers [vertices] (int32:
- * each vertex' number in the mesh as generated, to compare states of one cloth in two orders).
+ * each vertex's number in the mesh as generated, to compare states of one cloth in two orders).
  */
 #ifndef FABRIC_OUTPUT_STATE_H
 #define FABRIC_OUTPUT_STATE_H

@@ -196,8 +196,8 @@ int scene_write(const scene *s, const char *path);
 /** Returns the text, of *size bytes, that scene_write writes, or NULL if out of memory. The caller
  *  frees it. */
 char *scene_text(const scene *s, size_t *size);
-/** As scene_read, from a text in memory, which is not changed. Messages begin with `name` instead
- *  of the file's name. */
+/** Like scene_read, but from a text in memory, which is not changed. Messages begin with `name`
+ *  instead of the file's name. */
 int scene_read_text(scene *s, char *text, size_t size, const char *name);
 
 /** Do two scenes differ in anything but the number of steps and the names of files? If so, the

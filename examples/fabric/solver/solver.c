@@ -252,7 +252,7 @@ void solver_residual(solver *s, const linear_system *system, const constraints *
 void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
                                int which) {
     if (which == DRIVEN) {
-        set_given_changes(c, s->residual); /* solver_residual reads z before it overwrites it */
+        set_given_changes(c, s->residual); /* z; solver_residual may overwrite it */
         solver_residual(s, system, c, (const double(*)[3])s->residual);
         return;
     }

@@ -90,8 +90,8 @@ void direct_solver_memory(const direct_solver *d, double *held, double *more) {
     *more = factor + copies;
 }
 
-/* Entry (r, c) of S_i A_ij S_j + s (I - S_i), where block k is A_ij; the second term occurs only on
- * the diagonal. */
+/* Returns entry (r, c) of S_i A_ij S_j + s (I - S_i), where A_ij is block k. The second term occurs
+ * only on the diagonal. */
 static double entry(const block_matrix *A, const constraints *given, int i, int k, int r, int c) {
     const int j = A->column[k];
     const double(*a)[3] = (const double(*)[3])A->value[k];

@@ -23,8 +23,8 @@ double direct_solver_work(const direct_solver *d);
  *  allocated by its first solution (factor and workspace). */
 void direct_solver_memory(const direct_solver *d, double *held, double *more);
 
-/** As solver_solve up to rounding errors, but without limits; counts a factorisation as one
- *  iteration. Returns SOLVER_BREAKDOWN if A is not positive definite. */
+/** Gives the solution of solver_solve up to rounding errors, without limits. Counts a factorisation
+ *  as one iteration. Returns SOLVER_BREAKDOWN if A is not positive definite. */
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,
                                   const constraints *c, double (*dv)[3], long *iterations);
 

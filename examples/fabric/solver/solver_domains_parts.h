@@ -21,12 +21,12 @@ struct domain_solver {
     const block_matrix *A;
     int count;               /* domains */
     int *start;              /* [count + 1] a domain's first vertex */
-    int *domain;             /* [rows] a vertex' domain */
+    int *domain;             /* [rows] a vertex's domain */
     int *place;              /* [A's blocks] a block's index in `within`, `across` or `between` */
     block_matrix within;     /* U's blocks within domains */
     block_matrix across;     /* U's blocks with an even domain's row and an odd domain's column */
     int *reached_start;      /* [rows + 1] index in `reached` of a column's first block */
-    reached *reached;        /* [across' blocks] column by column, rows ascending */
+    reached *reached;        /* [blocks of `across`] the blocks column by column, rows ascending */
     block_matrix between;    /* the blocks of E, with D^ - 2 I as the diagonal */
     int has_between;         /* has E any blocks? */
     double (*root)[3][3];    /* [rows] C^-1, lower triangles */

@@ -74,7 +74,7 @@ static void root_of(const double block[3][3], double root[3][3]) {
         memset(root, 0, sizeof(double[3][3]));
 }
 
-/* As root_of, but a block that is not positive definite gives a multiple of the identity, so that
+/* Like root_of, but a block that is not positive definite gives a multiple of the identity, so that
  * conjugate gradients detect that A is not positive definite. (No force makes such a block.) A
  * block of 0 gives 0. */
 static void root_or_identity(const double block[3][3], double root[3][3]) {

@@ -48,7 +48,7 @@ typedef struct domain_solver domain_solver;
 domain_solver *domain_solver_new(const block_matrix *A);
 void domain_solver_free(domain_solver *d);
 
-/** As solver_solve; uses s->product and s->residual. */
+/** Solves like solver_solve. Uses s->product and s->residual. */
 solver_status domain_solver_solve(domain_solver *d, solver *s, const linear_system *system,
                                   const constraints *c, const solver_limits *limits,
                                   double (*dv)[3], long *iterations);

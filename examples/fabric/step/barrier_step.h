@@ -45,7 +45,7 @@ typedef struct barrier_step {
     double (*trial)[3]; /* [surface's vertices] m */
     barrier_descent descent;
     double still_distance;             /* m, largest displacement that ends the iteration */
-    double longest_displacement;       /* m, limit of a vertex' displacement in an iteration */
+    double longest_displacement;       /* m, limit of a vertex's displacement in an iteration */
     int blocked;                       /* driven vertices could not reach their goals */
     const volatile sig_atomic_t *stop; /* nonzero ends the step at once; NULL if nothing can end
                                         * it */

@@ -173,8 +173,8 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
         }
 }
 
-/* Changes v_next so that the cloth passes through neither itself nor a body. Returns 0, or -1 as
- * impact_resolve. */
+/* Changes v_next so that the cloth passes through neither itself nor a body. Returns 0, or -1 if
+ * out of memory or if a number is not finite. */
 static int resolve_contacts(simulation *sim) {
     const int itself = effect_is_on(sim, EFFECT_SELF_COLLISION);
     effect_account *account = &sim->account.effects[EFFECT_SELF_COLLISION];

@@ -19,8 +19,9 @@ void plan_follow(simulation *sim);
  *  or plan_follow found. */
 void plan_return_to(simulation *sim, double time);
 
-/** Stores in `time` [most], ascending, the first times at which something begins or ends. Returns
- *  the total number of such times. */
+/** Stores in `time` [most], ascending, the first times of events. At an event wind, a pin, a pin's
+ *  motion or a collider begins or ends, or a keyframe is reached. Returns the total number of
+ *  events' times. */
 int plan_events(const scene *s, double *time, int most);
 
 #endif

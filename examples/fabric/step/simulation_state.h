@@ -17,14 +17,14 @@
 #include "team.h"
 
 /** The time within a step of the scene is counted in ticks, so that a step may be halved ten times.
- *  A step in which something begins or ends is also cut at that time, which need not be a whole
+ *  A step with an event (plan_events) is also cut at the event's time, which need not be a whole
  *  tick. */
 enum { TICKS_PER_STEP = 1024 };
 
 /** The current wind and events, as plan.c found them. */
 struct in_force {
     double wind[3];    /* m/s */
-    double next_event; /* s, the next time at which something begins or ends */
+    double next_event; /* s, time of the next event (plan_events) */
     double plan_time;  /* s, the time for which plan.c found these */
 };
 

@@ -49,7 +49,7 @@ typedef struct team_round {
 
 /** Begins with `most` threads, or with one if cores are busy. */
 void team_start(team *t, int most, int busy);
-/** As team_start, with OpenMP's current number of threads, after a probe for busy cores. */
+/** Like team_start, with OpenMP's current number of threads, after a probe for busy cores. */
 void team_choose(team *t);
 /** Begins a round: sets the number of threads of the calling thread's parallel regions. */
 void team_begin(team *t, double now);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The times at which steps begin and end. Steps lie on the scene's grid of times, or on halves,
- * quarters, ... of it. A step in which something begins or ends (plan.h) is cut in two at exactly
- * that time. So forces are smooth within each part, and integrators keep their order of accuracy.
+ * quarters, ... of it. A step with an event (plan_events) is cut in two at exactly the event's
+ * time. So forces are smooth within each part, and integrators keep their order of accuracy.
  */
 #ifndef FABRIC_TIMING_H
 #define FABRIC_TIMING_H
@@ -26,7 +26,7 @@ double timing_end(const simulation *sim);
 /** Advances the time by the current step. */
 void timing_accept(simulation *sim);
 
-/** Does something begin or end before the end of the scene's step that begins now? */
+/** Is there an event (plan_events) before the end of the scene's step that begins now? */
 bool timing_event_within_frame(const simulation *sim);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Prescribed changes of velocity (Baraff and Witkin 1998, section 5). A vertex' change of velocity
+ * Prescribed changes of velocity (Baraff and Witkin 1998, section 5). A vertex's change of velocity
  * in a step is dv = S y + z. S = I - sum e e' projects the unknown y onto the free directions; the
  * e are the orthonormal directions in which the change is given, and z is the given change along
  * them.

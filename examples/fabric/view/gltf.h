@@ -11,8 +11,8 @@
 #include "scene/scene.h"
 #include "view/cloth_frames.h"
 
-/* Limits of common readers: of megabytes, and of morph targets, which some readers store in the
- * texture layers of a graphics card. */
+/* Limits of common readers: number of morph targets, which some store in the texture layers of a
+ * graphics card, and megabytes. */
 enum { GLTF_MOST_FRAMES = 2000, GLTF_MOST_MEGABYTES = 1000 };
 
 /** Writes a temporary file and renames it to `path`. If `binary`, the format is GLB, else JSON with
