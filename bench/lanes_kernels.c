@@ -9,7 +9,7 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The derivative w of a triangle's position by u or v: the sum of share[p] x[p] over its
+/* Computes the derivative w of a triangle's position by u or v: the sum of share[p] x[p] over its
  * corners. */
 static void along(const double (*x)[3], int i, int j, int k, const double share[3], double w[3]) {
     for (int c = 0; c < 3; c++)
@@ -40,8 +40,8 @@ static void compute_force(const double (*x)[3], const double (*v)[3], int i, int
                                shear * (u_share[p] * wv[c] + v_share[p] * wu[c]));
 }
 
-/* The derivatives of compute_force's forces by the corners' positions and velocities, in an
- * implicit step. */
+/* Computes the derivatives of compute_force's forces by the corners' positions and velocities, in
+ * an implicit step. */
 static void compute_derivatives(const double (*x)[3], int i, int j, int k, const double u_share[3],
                                 const double v_share[3], double area, double df[3][3][3][3]) {
     double wu[3], wv[3], nu[3], nv[3];

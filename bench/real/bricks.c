@@ -47,8 +47,8 @@ static void *allocate(size_t count, size_t size) {
     return memory;
 }
 
-/* A bar of n x n x 4n bricks, 1 m thick. Each coordinate of each node is moved by up to a tenth of
- * an edge. */
+/* Makes a bar of n x n x 4n bricks, 1 m thick. Each coordinate of each node is moved by up to a
+ * tenth of an edge. */
 static void make_mesh(struct mesh *m, int n) {
     const int row = n + 1, layer = row * row;
     const double h = 1.0 / n;

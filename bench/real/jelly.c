@@ -47,7 +47,8 @@ static double determinant(double a[3][3]) {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
-/* The matrix of cofactors: the derivative of the determinant with respect to the matrix. */
+/* Computes the matrix of cofactors, which is the derivative of the determinant with respect to the
+ * matrix. */
 static void cofactors(double a[3][3], double c[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {

@@ -34,7 +34,7 @@ typedef struct own_block {
     int sends;      /* are some of its vertices ghosts of other ranks? */
 } own_block;
 
-/** The sums of all blocks of the cloth, received rank by rank. */
+/** A sum over the whole cloth, in parts: one number for each block, received rank by rank. */
 typedef struct block_sums {
     int count;    /* number of blocks of the whole cloth */
     int *order;   /* [count] the block to which a received sum belongs */
@@ -75,11 +75,11 @@ void part_free(part *p);
 
 /** Are the blocks Gauss-Seidel's domains? */
 int part_has_domains(const scene *s, bits_order bits);
-/** The number of blocks of a cloth with this number of vertices, and so the maximum number of
- * ranks. */
+/** Returns the number of blocks of a cloth with this number of vertices, which is also the maximum
+ *  number of ranks. */
 int part_block_count(const scene *s, bits_order bits, int vertices);
 
-/** The exchange for diagonal and constraints. It includes ghosts if the solver uses theirs:
+/** Returns the exchange for diagonal and constraints. It includes ghosts if the solver uses theirs:
  *  Gauss-Seidel scales a block by both vertices, and PETSc's matrix includes both constraints. */
 static inline PetscSF part_solved(const part *p) {
     return p->domains || p->petsc ? p->all : p->own;

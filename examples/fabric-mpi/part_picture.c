@@ -112,8 +112,8 @@ static void look(const panel *view) {
     glLoadIdentity();
 }
 
-/* The brightness of a triangle, from the angle of its normal, on either side, to a light at the eye
- * and a little above. */
+/* Returns the brightness of a triangle: it depends on the angle of the normal, on either side, to a
+ * light that is a little above the eye. */
 static double brightness(const panel *view, const int triangle[3]) {
     double edge[2][3], normal[3], light[3];
     if (view->is_flat)

@@ -11,7 +11,7 @@
 typedef struct measured {
     int finished; /* 0: the simulator failed, or was stopped because of rejected steps */
     int vertices;
-    double (*x)[3];     /* [vertices] m, at the end; measured_free frees it */
+    double (*x)[3];     /* [vertices] m, final positions; measured_free frees them */
     double cpu_seconds; /* CPU time of the steps, all threads; minimum of the repetitions */
     long steps, rejected;
     double shortest; /* s, shortest step, from the logged rejections (at most MOST_REJECTIONS) */
@@ -43,7 +43,7 @@ double distance_of(int count, const double (*x)[3], const double (*y)[3], double
  *  its positions; all other arrays are those of `from`. Returns 0, or -1 after a message. */
 int move_start(const mesh *from, double most, random_source *source, mesh *to);
 
-/** The monitor's kinetic and elastic energy plus gravitational potential, J. */
+/** Returns the monitor's kinetic and elastic energy plus the gravitational potential, J. */
 double total_energy(const simulation *sim);
 
 /** Returns the scene with its duration divided into this number of steps. */

@@ -37,8 +37,8 @@ int study_run(study *of, const char *experiment, const char *variant, const scen
     return 0;
 }
 
-/* The base scene with settings for a reference. Newton's method to 1e-6 has an error of some 1e-4
- * mm (accuracy newton), far below the measured ones. */
+/* Returns the base scene with settings for a reference. Newton's method to 1e-6 has an error of
+ * some 1e-4 mm (accuracy newton), far below the measured ones. */
 static scene exact(const study *of, integrator_kind kind, int steps) {
     scene s = divided(&of->base, steps);
     s.time.integrator = (int)kind;

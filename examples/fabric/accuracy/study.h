@@ -76,7 +76,7 @@ int study_trusts_reference(study *of);
 FILE *study_open(const study *of, const char *name, const char *columns);
 /** Closes the table. Returns 0, or -1 after a message if not all of it was written. */
 int study_close(FILE *file);
-/** The lowest vertex's z, m: comparable between runs on different meshes. */
+/** Returns the z of the lowest vertex, m. It can be compared between runs on different meshes. */
 double lowest_point(int count, const double (*x)[3]);
 /** Writes folder/NAME.csv of all rows and removes the rows. Returns 0, or -1 after a message. */
 int study_write(study *of, const char *name);

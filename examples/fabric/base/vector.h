@@ -41,7 +41,7 @@ static inline double vector_unit(const double a[3], double unit[3]) {
     return length;
 }
 
-/** The normal of the triangle a b c; its length is twice the triangle's area. */
+/** Computes the normal of the triangle a b c; its length is twice the triangle's area. */
 static inline void vector_normal(const double a[3], const double b[3], const double c[3],
                                  double normal[3]) {
     double one[3], other[3];
@@ -58,7 +58,7 @@ static inline void vector_add_scaled(const double a[3], double factor, const dou
     sum[2] = a[2] + factor * b[2];
 }
 
-/** The same array with const elements. (C has no such implicit conversion of pointers to
+/** Returns the same array with const elements. (C has no such implicit conversion of pointers to
  *  arrays.) */
 static inline const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;

@@ -30,7 +30,7 @@ typedef struct difference {
     uint64_t ulps;  /* largest distance in units in the last place (ulps) */
 } difference;
 
-/** The rank of a double among all doubles; both zeros have the same rank. */
+/** Returns the rank of a double among all doubles; both zeros have the same rank. */
 static int64_t place_of(double value) {
     int64_t bits;
     memcpy(&bits, &value, sizeof bits);

@@ -75,9 +75,9 @@ typedef struct barrier {
     int *component;        /* [cloth's vertices] connected component of the cloth */
     int *collider;         /* [surface's vertices] index of the vertex's collider; -1: of the
                             * cloth */
-    unsigned char *driven; /* [surface's vertices] moved by a pin or a body */
+    unsigned char *driven; /* [surface's vertices] 1 if a pin or a body moves the vertex */
     double stiffness;      /* J */
-    double slip_speed;     /* m/s, up to which friction grows with the speed */
+    double slip_speed;     /* m/s, speed up to which friction grows */
     self_collision search; /* the grid and its candidates */
     double margin;         /* m, candidates stay valid for displacements up to this */
     double (*searched)[3]; /* [surface's vertices] m, positions at the last search */
@@ -120,10 +120,10 @@ int barrier_grip_contacts(barrier *b);
 double barrier_allowed_part(const barrier *b, const double (*x)[3],
                             const double (*displacement)[3]);
 
-/** The listed pairs' energy at x, J; infinite if a pair has passed. */
+/** Returns the listed pairs' energy at x, J, or infinity if a pair has passed. */
 double barrier_energy(const barrier *b, const double (*x)[3]);
 
-/** Friction's potential at x in a step of h s, J. */
+/** Returns friction's potential at x in a step of h s, J. */
 double barrier_friction(const barrier *b, double h, const double (*x)[3]);
 
 /** Computes the elements of all contacts, with the last found nearest points, and of all grips, at
@@ -135,7 +135,7 @@ typedef struct barrier_crossing {
     int edge[2], triangle[3];
     int nearer;       /* the end of the edge that is nearer to the triangle's plane: 0 or 1 */
     double depth;     /* m, how far that end lies beyond the plane */
-    double normal[3]; /* unit, of the triangle, on the side of that end */
+    double normal[3]; /* unit normal of the triangle, on the side of that end */
     double
         weight[3]; /* barycentric coordinates of the point in which the edge meets the triangle */
 } barrier_crossing;

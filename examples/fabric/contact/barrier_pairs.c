@@ -21,8 +21,8 @@ void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[
     }
 }
 
-/* Upper bound in m on the decrease of the features' distance during the displacement. The first
- * feature has `firsts` vertices. */
+/* Returns an upper bound on the decrease of the features' distance during the displacement, m. The
+ * first feature has `firsts` vertices. */
 static double greatest_approach(const int vertex[4], const double (*displacement)[3], int firsts) {
     double of[2] = {0, 0};
     for (int k = 0; displacement && k < 4; k++) {
@@ -32,8 +32,8 @@ static double greatest_approach(const int vertex[4], const double (*displacement
     return of[0] + of[1];
 }
 
-/* The reach of a pair of the cloth: the gap. For features of one component it is at most half their
- * rest distance, but at least a hundredth of the gap. Otherwise triangles smaller than the gap
+/* Returns the reach of a pair of the cloth: the gap, but for features of one component at most half
+ * their rest distance and at least a hundredth of the gap. Otherwise triangles smaller than the gap
  * would repel their neighbours. */
 static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
@@ -114,8 +114,8 @@ static void add_plane(const barrier *b, int point, const double (*x)[3],
     }
 }
 
-/* The largest distance of a vertex from its position at the last search, during the displacement,
- * m. */
+/* Returns the largest distance, m, of a vertex from its position at the last search, at the
+ * beginning or end of the displacement. */
 static double distance_from_search(const barrier *b, const double (*x)[3],
                                    const double (*displacement)[3]) {
     double most = 0;

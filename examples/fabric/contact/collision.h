@@ -30,7 +30,7 @@ typedef struct contact {
     double normal[3];  /* unit */
     double speed;      /* m/s, prescribed along the normal */
     double force;      /* N, normal force of the last accepted step; > 0: it presses */
-    double slip_speed; /* m/s, in the friction's c */
+    double slip_speed; /* m/s, slip speed in the factor c of friction */
 } contact;
 
 typedef struct vertex_contacts {
@@ -49,7 +49,8 @@ typedef struct met_triangles {
     int left;               /* how many of the triangles a collider still penetrates after the
                              * impulses */
     double gap;             /* m, the smallest gap of their colliders; infinite without triangles */
-    double *distance;       /* [vertices] m, to the collider being tested; NULL: not allocated */
+    double *distance;       /* [vertices] m, distance to the collider being tested; NULL: not
+                             * allocated */
     unsigned char *is_near; /* [triangles] may the triangle meet the collider being tested? */
 } met_triangles;
 
@@ -58,8 +59,8 @@ typedef struct met_triangles {
 typedef struct out_of_reach {
     int *watched;     /* [count] indices of the colliders to be tested, ascending */
     int count;        /* -1: all are to be tested */
-    double center[3]; /* m, of the cloth when all were tested last */
-    double time;      /* s, of that test */
+    double center[3]; /* m, centre of the cloth when all colliders were tested last */
+    double time;      /* s, time of that test */
     double clearance; /* m, distance at that time from the centre to the nearest other collider,
                        * less its gap */
     double speed;     /* m/s, speed of the fastest other collider */
@@ -90,7 +91,7 @@ typedef struct collisions {
     int now_empty, before_empty; /* no vertex has a contact in `now`; none has one in `before` */
     long visits;                 /* vertices tested against colliders, all steps */
     long friction_visits;        /* contacts with friction, all steps */
-    double stick_speed;          /* m/s, below which a sliding vertex sticks */
+    double stick_speed;          /* m/s, speed below which a sliding vertex sticks */
     vertex_contacts *before;     /* [vertices] contacts of the last accepted step; NULL without
                                   * colliders */
     vertex_contacts *now;        /* [vertices] contacts of the current step */
@@ -106,8 +107,8 @@ static inline int collisions_pin_of(const collisions *c, int vertex) {
     return c->pinned.pin_of ? c->pinned.pin_of[vertex] : -1;
 }
 
-/** The velocity, [3] m/s, of the collider's material at the vertex's contact n of the current
- *  step. */
+/** Returns the velocity, [3] m/s, of the collider's material at the vertex's contact n of the
+ *  current step. */
 static inline const double *collisions_carried(const collisions *c, int vertex, int n) {
     return c->carried ? c->carried[vertex][n]
                       : c->scene->colliders[c->now[vertex].list[n].collider].velocity;
@@ -174,17 +175,17 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
  *  forces, and which stick or slide from now on. */
 void collisions_accept(collisions *c, double h, const double (*v)[3], const double (*residual)[3]);
 
-/** The work in J of constraints and friction in the step of h s that ends with velocities v; an
- *  upper bound if a collider moves. Colliders at rest do no positive work except to push
- *  vertices out. residual: the solver's, for a stage of stage_h s. */
+/** Returns the work in J of constraints and friction in the step of h s that ends with velocities
+ *  v. The result is an upper bound if a collider moves. Colliders at rest do no positive work
+ *  except to push vertices out. residual: the solver's, for a stage of stage_h s. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]);
 
-/** The depth in m of the deepest vertex that is inside a collider at `time` and not pinned, or 0 if
- *  there is none. */
+/** Returns the depth in m of the deepest vertex that is inside a collider at `time` and not pinned,
+ *  or 0 if there is none. */
 double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 
-/** How many vertices that are not pinned are inside a collider at `time`. */
+/** Returns the number of vertices that are inside a collider at `time` and not pinned. */
 long collisions_inside(const collisions *c, double time, const double (*x)[3]);
 
 /** Sets pin_of[i] = number for each vertex i that the pin holds, according to the mesh's initial

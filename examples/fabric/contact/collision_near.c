@@ -44,7 +44,7 @@ static double distance_to(const collider *k, const double center[3], double time
     return shape_distance(k, p, normal);
 }
 
-/* The distance from the cloth's centre at which a collider may touch the cloth, without the
+/* Returns the distance from the cloth's centre at which a collider may touch the cloth, without the
  * collider's own motion and gap. */
 static double reach_of(const cloth_ball *ball) {
     return 1.01 * (ball->radius + ball->displacement);

@@ -7,7 +7,8 @@
 #include "collision.h"
 #include "shape_triangle.h"
 
-/* The triangle's corners in the collider's axes, and their displacements relative to it. */
+/* Computes the triangle's corners in the collider's axes, and their displacements relative to
+ * it. */
 static void gather(const collisions *c, int number, const int corner[3], double time, double h,
                    const double (*x)[3], const double (*v)[3], double p[3][3], double u[3][3]) {
     const collider *k = &c->scene->colliders[number];
@@ -48,7 +49,8 @@ static int may_meet(const collider *k, const double p[3][3], const double u[3][3
  * is nearer than its first corner by at most the longer edge at that corner, and no vertex moves
  * farther than the longest displacement. */
 typedef struct clearances {
-    const double *distance; /* [vertices] m, to the collider as the step begins; NULL: not known */
+    const double *distance; /* [vertices] m, distance to the collider as the step begins; NULL:
+                             * unknown */
     double displacement;    /* m, longest displacement of a vertex relative to the collider */
 } clearances;
 

@@ -15,7 +15,7 @@
 
 typedef struct impact_step {
     double time, h;         /* s */
-    const double (*x)[3];   /* [vertices] m, at the step's beginning */
+    const double (*x)[3];   /* [vertices] m, positions at the step's beginning */
     double (*v)[3];         /* [vertices] m/s, changed */
     movable of;             /* the vertices that may move */
     self_collision *itself; /* NULL: the cloth may go through itself */

@@ -9,8 +9,8 @@ int movable_is_held(const movable *of, int vertex) {
     return collisions_pin_of(c, vertex) >= 0 || (c->now && c->now[vertex].count > 0);
 }
 
-/* The speed, m/s, at which the vertex moves away from its contact's body beyond what the contact
- * prescribes, or 0 if it is within the rounding of v. */
+/* Returns the speed, m/s, at which the vertex moves away from its contact's body beyond what the
+ * contact prescribes, or 0 if that is within the rounding of v. */
 static double leaving_speed(const contact *touch, const double v[3]) {
     static const double rounding = 1e-9;
     const double speed = vector_dot(touch->normal, v) - touch->speed;
@@ -60,7 +60,8 @@ static void response(const movable *of, int i, const double v[3], const double d
     vector_scale(change, light, change);
 }
 
-/* The change of the feature's velocity along the unit vector d, for an impulse of 1 kg m/s. */
+/* Returns the change of the feature's velocity along the unit vector d, for an impulse of 1 kg
+ * m/s. */
 static double mobility(const movable *of, const feature *f, const double (*v)[3],
                        const double d[3]) {
     double sum = 0;

@@ -39,7 +39,7 @@ double motion_angle(const collider *k, double time) {
     return degree * (before->angle + part * (after->angle - before->angle));
 }
 
-/* The rotation by `angle` (rad) about the unit axis, by Rodrigues' formula. */
+/* Computes the rotation by `angle` (rad) about the unit axis, by Rodrigues' formula. */
 static void turn_about(const double axis[3], double angle, double rotation[3][3]) {
     const double c = cos(angle), s = sin(angle);
     const double cross[3][3] = {

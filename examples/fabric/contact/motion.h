@@ -36,8 +36,8 @@ static inline int motion_has_keys(const collider *k) {
 /** Does the collider ever rotate? */
 int motion_rotates(const collider *k);
 
-/** The time after which the collider does not move any more, s; infinite if its velocity is not 0.
- */
+/** Returns the time after which the collider does not move any more, s, or infinity if its velocity
+ *  is not 0. */
 double motion_end(const collider *k);
 
 /** The pose of any collider at `time`, s. */
@@ -46,11 +46,11 @@ void motion_pose(const collider *k, double time, body_pose *pose);
 /** The angle by which the collider is rotated at `time`, rad. */
 double motion_angle(const collider *k, double time);
 
-/** The motion of a collider with keyframes in the step of h s that begins at `time`. */
+/** Computes the motion of a collider with keyframes in the step of h s that begins at `time`. */
 void motion_in_step(const collider *k, double time, double h, body_motion *m);
 
-/** An upper bound on the displacement in the step of points within `reach` m of the body's origin,
- *  m. */
+/** Returns an upper bound, m, on the displacement in the step of points within `reach` m of the
+ *  body's origin. */
 double motion_displacement(const body_motion *m, double reach);
 
 /** Converts the point x of space to p in the body's axes at `time`. */

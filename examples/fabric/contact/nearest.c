@@ -27,7 +27,7 @@ static void keep_nearer(const double x[4][3], const double weight[4], nearest *b
     }
 }
 
-/* The position on the segment a b of the point nearest to p, from 0 to 1. */
+/* Returns the position, from 0 at a to 1 at b, of the segment's point nearest to p. */
 static double foot_on_segment(const double p[3], const double a[3], const double b[3]) {
     double along[3], from[3];
     vector_subtract(b, a, along);

@@ -6,7 +6,7 @@
 /** The vector from the second feature's nearest point to the first's is sum weight[k] x[k]. */
 typedef struct nearest {
     double weight[4];
-    double normal[3]; /* unit, along that vector; 0 if they touch */
+    double normal[3]; /* unit vector along that vector; 0 if the features touch */
     double distance;  /* m */
 } nearest;
 

@@ -66,12 +66,12 @@ typedef struct self_grid {
 typedef struct self_contact {
     double weight[4];
     double normal[3];
-    double distance; /* m, along the normal at the start */
+    double distance; /* m, distance along the normal at the step's beginning */
 } self_contact;
 
 /** The impulse that a pair needs. */
 typedef struct self_demand {
-    double change; /* m/s, of the normal velocity; 0: nothing */
+    double change; /* m/s, required change of the normal velocity; 0: none */
     self_contact contact;
 } self_demand;
 
@@ -80,7 +80,7 @@ typedef struct self_demand {
 typedef struct self_history {
     int now, round_start; /* the current time; the time at which the current round began */
     int *vertex;          /* [vertices] time of the last change of its velocity */
-    double (*v)[3];       /* [vertices] m/s, at the end of the last round */
+    double (*v)[3];       /* [vertices] m/s, velocities at the end of the last round */
     int *pair;            /* [pairs] last time at which the pair needed no impulse; -1: never */
     self_demand *demand;  /* [pairs] demand at the round's beginning, for pairs that are not
                            * skipped */

@@ -17,7 +17,7 @@ typedef struct self_entry {
 /* maximum average number of cells per triangle; beyond it cells are made larger */
 enum { MOST_CELLS_EACH = 16 };
 
-/* fmin and fmax for arguments that are not NaN, without a call. */
+/* Like fmin and fmax, for arguments that are not NaN, but without a function call. */
 static inline double least(double a, double b) {
     return b < a ? b : a;
 }
@@ -74,7 +74,8 @@ static int is_far(const self_collision *s, int t) {
     return 0;
 }
 
-/* The index of the cell that contains a coordinate; all coordinates far away share one cell. */
+/* Returns the index of the cell that contains a coordinate; all coordinates far away share one
+ * cell. */
 static int cell_of(double at, double size) {
     const double cell = floor(at / size);
     return cell > 1e9 ? 1000000000 : (cell < -1e9 ? -1000000000 : (int)cell);
@@ -100,8 +101,8 @@ static double cells_of(const self_collision *s, int t, double size, int low[3], 
     return cells;
 }
 
-/* The number of entries of all triangles. It does not depend on the order of the sum, because the
- * terms are whole numbers. */
+/* Returns the number of entries of all triangles. It does not depend on the order of the sum,
+ * because the terms are whole numbers. */
 static double count_entries(const self_collision *s, double size) {
     double count = 0;
 #pragma omp parallel for schedule(static) reduction(+ : count)

@@ -36,7 +36,7 @@ static double clamp(double value) {
     return value < 0 ? 0 : (value > 1 ? 1 : value);
 }
 
-/* Weights of the nearest points of the edges x0 x1 and x2 x3 (Ericson 2005, 5.1.9). */
+/* Computes the weights of the nearest points of the edges x0 x1 and x2 x3 (Ericson 2005, 5.1.9). */
 static void nearest_on_edges(const double x[4][3], double weight[4]) {
     double d1[3], d2[3], r[3];
     vector_subtract(x[1], x[0], d1);
@@ -104,7 +104,7 @@ int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_conta
     return distance < gap && distance > 1e-6 * gap && set_normal(x, found);
 }
 
-/* Six times the volume of the tetrahedron of the four points at time t, or 0 if they are
+/* Returns six times the volume of the tetrahedron of the four points at time t; it is 0 if they are
  * coplanar. */
 static double volume_at(const double x[4][3], const double y[4][3], double t) {
     double at[3][3], cross[3];

@@ -11,7 +11,7 @@
 double shape_distance(const collider *k, const double p[3], double normal[3]);
 
 typedef struct approach {
-    double normal[3];  /* unit, out of the collider */
+    double normal[3];  /* unit normal, out of the collider */
     double room;       /* m, how far the point may still move against the normal; < 0: it must be
                         * pushed out */
     double beyond;     /* m, distance of the path's end beyond `room`; < 0: it ends before */

@@ -5,8 +5,8 @@
 
 #include "shape.h"
 
-/** The radius of the largest ball inside a collider, m. For a mesh it is unknown, and the gap is
- *  returned: thinner parts of a mesh may pass through the cloth. */
+/** Returns the radius of the largest ball inside a collider, m. For a mesh it is unknown, and the
+ *  gap is returned: thinner parts of a mesh may pass through the cloth. */
 double shape_inner_radius(const collider *k);
 
 /** Allowed depth of a triangle between its vertices, as a fraction of the inner radius. Vertices

@@ -5,8 +5,8 @@
 #include "hinge_gradient.h"
 #include "triangle.h"
 
-/* The unit direction n of w, or the coordinate axis `axis` if the triangle has collapsed, as in
- * triangle_terms.h. */
+/* Computes the unit direction n of w, or the coordinate axis `axis` if the triangle has collapsed,
+ * as in triangle_terms.h. */
 static inline void direction(const double w[3], int axis, double n[3]) {
     const double length = vector_length(w);
     const int usable = length > 1e-8;

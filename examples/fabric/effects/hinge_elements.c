@@ -41,8 +41,8 @@ static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
     }
 }
 
-/* The angle between the hinge's triangles, in (-pi, pi]. atan2 is accurate near 0; an arc cosine
- * would lose half the digits. */
+/* Returns the angle between the hinge's triangles, in (-pi, pi]. atan2 is accurate near 0; an arc
+ * cosine would lose half the digits. */
 static double hinge_angle(const double (*x)[3], const int corner[4]) {
     double e[3], a[3], b[3], n1[3], n2[3], across[3];
     vector_subtract(x[corner[1]], x[corner[0]], e);
@@ -104,8 +104,8 @@ void hinge_elements_free(hinge_elements *e) {
     *e = (hinge_elements){0};
 }
 
-/* The angle of hinge t at positions x. Of the values that differ by whole rotations, the one
- * nearest to the stored angle is returned. */
+/* Returns the angle of hinge t at positions x. Of the values that differ by whole rotations, the
+ * one nearest to the stored angle is returned. */
 static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
     const double angle = hinge_angle(x, e->corner[t]) - (e->at_rest ? e->at_rest[t] : 0);
     const double change = e->angle[t] - angle;

@@ -16,14 +16,14 @@ typedef struct expansion {
     double h;               /* s */
     const double (*x)[3];   /* m, where forces and their derivatives are evaluated */
     const double (*lag)[3]; /* m/s; equal to v if x is the step's start */
-    const double (*v)[3];   /* m/s, at the start of the step */
+    const double (*v)[3];   /* m/s, velocities at the start of the step */
 } expansion;
 
 /** The cloth and its surroundings, neither of them owned. */
 typedef struct force_target {
     const scene_surroundings *surroundings;
     const triangle_elements *triangles;
-    const double *wind; /* [3] m/s, at the current time */
+    const double *wind; /* [3] m/s, current wind */
 } force_target;
 
 typedef struct outer_force {

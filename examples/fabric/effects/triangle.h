@@ -63,8 +63,8 @@ void triangle_damping_forces(const triangle_elements *e, const triangle_material
 void triangle_energies(const triangle_elements *e, const triangle_material *material,
                        const double (*x)[3], double *stretch, double *shear);
 
-/** The largest strain |w_u| - 1 or |w_v| - 1 of all triangles (-1 if there are none); NaN if a
- *  position is not finite. */
+/** Returns the largest strain |w_u| - 1 or |w_v| - 1 of all triangles: -1 if there are none, or NaN
+ *  if a position is not finite. */
 double triangle_greatest_strain(const triangle_elements *e, const double (*x)[3]);
 
 /** w_u and w_v of the triangle with vertices i, j, k, computed from differences of positions so

@@ -53,7 +53,8 @@ int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char
  *  error[256] if new_of_old is no permutation or memory runs out. */
 int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
-/** The mean length of the triangles' sides in `position`, in m; infinite without triangles. */
+/** Returns the mean length of the triangles' sides in `position`, m, or infinity without
+ *  triangles. */
 double mesh_mean_edge(const mesh *m);
 
 void mesh_free(mesh *m);

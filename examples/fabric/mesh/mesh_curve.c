@@ -14,8 +14,8 @@ typedef struct stop {
     int vertex;
 } stop;
 
-/** The number of cells that the curve passes before cell (x, y). The curve is recursive: in each
- *  quarter of a square it is the same, mirrored or rotated. */
+/** Returns the number of cells that the curve passes before cell (x, y). The curve is recursive: in
+ *  each quarter of a square it is the same, mirrored or rotated. */
 static uint32_t along_curve(uint32_t x, uint32_t y) {
     uint32_t along = 0;
     for (uint32_t half = 1u << (BITS - 1); half > 0; half /= 2) {

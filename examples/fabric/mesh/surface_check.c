@@ -23,7 +23,8 @@ static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fa
             of[1].triangle, of[0].triangle};
 }
 
-/* Six times the volume, relative to the first vertex, so that a solid far away loses no digits. */
+/* Returns six times the volume. It is computed relative to the first vertex, so that a solid far
+ * away loses no digits. */
 static double volume(const mesh *m) {
     const double *from = m->position[m->triangle[0][0]];
     double sum = 0;

@@ -58,7 +58,7 @@ void *sealed_file_read(const sealed_kind *kind, sealed_header *header, const cha
 /** Prints "path: what" on standard error. Returns -1. */
 int sealed_file_complain(const char *path, const char *what);
 
-/** The 64-bit FNV-1a hash (Fowler, Noll, Vo) of the bytes, continued from `hash`, which is
+/** Returns the 64-bit FNV-1a hash (Fowler, Noll, Vo) of the bytes, continued from `hash`, which is
  *  FNV_1A_BEGIN at first. */
 uint64_t fnv_1a(uint64_t hash, const void *bytes, size_t size);
 #define FNV_1A_BEGIN UINT64_C(0xcbf29ce484222325)

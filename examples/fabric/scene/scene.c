@@ -30,7 +30,7 @@ static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     return node;
 }
 
-/** The node at `path` whose line a message names, or NULL if the document has no lines. */
+/** Returns the node at `path`, whose line a message names, or NULL if the document has no lines. */
 static const yaml_node_t *line_of(const scene_source *from, const char *path) {
     return from->has_lines ? node_at(from, path) : NULL;
 }

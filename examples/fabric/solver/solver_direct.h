@@ -15,8 +15,8 @@ int direct_solver_available(void);
 direct_solver *direct_solver_new(const block_matrix *A, char *error);
 void direct_solver_free(direct_solver *d);
 
-/** The number of multiplications of one solution: the factorisation and two triangular systems.
- *  Depends on the sparsity pattern only. */
+/** Returns the number of multiplications of one solution: the factorisation and two triangular
+ *  systems. It depends on the sparsity pattern only. */
 double direct_solver_work(const direct_solver *d);
 
 /** Computes memory in bytes from the sparsity pattern. *held: allocated for d so far; *more:

@@ -39,9 +39,9 @@ struct domain_solver {
     arrays own;                           /* all arrays above except those of the matrices */
 };
 
-/** The number of domains of a cloth with this number of vertices. */
+/** Returns the number of domains of a cloth with this number of vertices. */
 int domain_count(int vertices);
-/** The first vertex of a domain; `vertices` if domain is domain_count(vertices). */
+/** Returns the first vertex of a domain, or `vertices` if domain is domain_count(vertices). */
 int domain_start(int vertices, int domain);
 
 /** Creates a solver for A whose domains begin at the vertices start [count + 1]. Returns NULL if

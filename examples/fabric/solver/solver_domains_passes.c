@@ -100,8 +100,8 @@ void domain_sweep_direction(domain_solver *d, int domain) {
         domain_sweep_down(d, domain, d->image);
 }
 
-/* The image of p at vertex i: t + (I + U)^-T w. It is not stored, because odd domains read w of
- * even domains while they are swept down. */
+/* Computes the image of p at vertex i, t + (I + U)^-T w. It is not stored, because odd domains read
+ * w of even domains while they are swept down. */
 static inline void image_at(const domain_solver *d, int i, double image[3]) {
     vector_add_scaled(d->image[i], 1, d->swept[i], image);
 }

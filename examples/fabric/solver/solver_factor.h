@@ -5,7 +5,8 @@
  *  - Jacobi: M = A's diagonal
  *  - block-Jacobi: M = A's diagonal blocks, 3x3
  *  - symmetric Gauss-Seidel: M = (D + L) D^-1 (D + L)'. L are the blocks below A's diagonal, D its
- *    diagonal blocks divided by a relaxation factor, 1.3. In double see solver_domains.c.
+ *    diagonal blocks divided by a relaxation factor, 1.3. In double it is replaced by
+ *    solver_domains.c.
  *  - incomplete Cholesky, IC(0): M = R'R. R has the sparsity pattern of A's blocks, and M = A on
  *    that pattern (Meijerink and van der Vorst 1977). Cloth's matrices are not M-matrices, so
  *    dropped fill-in may leave a block indefinite; then A with enlarged diagonal blocks is factored

@@ -216,7 +216,8 @@ static solver_status find_displacements(simulation *sim, double *most) {
     return status == SOLVER_NOT_FINITE || !isfinite(longest) ? SOLVER_NOT_FINITE : SOLVER_CONVERGED;
 }
 
-/* The largest displacement of all vertices, or only of driven ones, m. */
+/* Returns the largest displacement, m, of all vertices or, with `driven_alone`, only of driven
+ * ones. */
 static double longest_displacement(const barrier *b, int driven_alone) {
     double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most)

@@ -40,7 +40,7 @@ typedef struct barrier_step {
     double (*product)[3]; /* [vertices] C dv */
     double (*still)[3];   /* [vertices] 0 m/s */
     double (*change)[3];  /* [vertices] m/s, solution of the linear system */
-    double begin_energy;  /* J, of the barrier at the step's beginning */
+    double begin_energy;  /* J, energy of the barrier at the step's beginning */
     double work;        /* J, work of bodies in the step, less the energy that the barrier gained */
     double (*trial)[3]; /* [surface's vertices] m */
     barrier_descent descent;

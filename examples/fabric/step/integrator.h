@@ -41,7 +41,7 @@ typedef struct integrator_memory {
     double (*at_v)[3];        /* [vertices] m/s, v */
     double (*lag)[3];         /* [vertices] m/s, as in struct expansion (outer_force.h) */
     double (*last)[3];        /* [vertices] m/s, dv of the previous iteration */
-    double (*last_defect)[3]; /* [vertices] kg m/s, its residual */
+    double (*last_defect)[3]; /* [vertices] kg m/s, residual of the previous iteration */
     long iterations;          /* number of iterations of Newton's method in all steps */
     arrays own;
 } integrator_memory;

@@ -67,7 +67,7 @@ static double outside_work(const monitored_step *step, const scene *s) {
                            step->residual);
 }
 
-/* The energy of strains and angles of 1e-12, which some thousand rounding errors cause. */
+/* Returns the energy of strains and angles of 1e-12, which some thousand rounding errors cause. */
 static double energy_of_rounding(const struct cloth *cloth) {
     const triangle_material *t = &cloth->triangle_material;
     double area = 0, weight = 0;

@@ -37,10 +37,10 @@ typedef enum monitor_verdict {
  *  step. */
 typedef struct monitored_step {
     double h;           /* s */
-    double stage_h;     /* s, of the integrator's stage */
-    double time;        /* s, at the step's beginning */
+    double stage_h;     /* s, length of the integrator's stage */
+    double time;        /* s, time at the step's beginning */
     double push_work;   /* J, work of impact_resolve or, with barriers, of bodies */
-    const double *wind; /* [3] m/s, in this step */
+    const double *wind; /* [3] m/s, wind in this step */
     const double (*x)[3], (*v)[3], (*x_next)[3], (*v_next)[3];
     const double (*residual)[3]; /* the solver's residual, see solver.h */
     const constraints *given;
@@ -84,10 +84,10 @@ void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 monitor_verdict monitor_check(monitor *m, const monitored_step *step);
 
 /**
- * The step length, in multiples of the shortest step, at and below which passing or penetration
- * causes no more halving: 1 at first, doubled after every 32 consecutive accepted steps with such a
- * fault. Cloth squeezed by two bodies passes in steps of any length; with the shortest ones a run
- * would take a thousand times as long without a better result.
+ * Returns the step length, in multiples of the shortest step, at and below which passing or
+ * penetration causes no more halving. It is 1 at first, and doubles after every 32 consecutive
+ * accepted steps with such a fault. Cloth squeezed by two bodies passes in steps of any length;
+ * with the shortest ones a run would take a thousand times as long without a better result.
  */
 int monitor_futile_parts(const monitor *m);
 

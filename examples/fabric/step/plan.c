@@ -5,8 +5,8 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* The time of the next event after `after`: wind, a pin, a pin's motion or a collider begins or
- * ends, or a keyframe is reached. Infinite if there is none. */
+/* Returns the time of the next event after `after`, or infinity if there is none. At an event wind,
+ * a pin, a pin's motion or a collider begins or ends, or a keyframe is reached. */
 static double next_event(const scene *s, double after) {
     double next = INFINITY;
 #define CONSIDER(time)                                                                             \

@@ -29,7 +29,7 @@ typedef struct simulation simulation;
 /** A step that was repeated at half the length. */
 typedef struct rejection {
     const char *reason;  /* from monitor_verdict_name */
-    double time, h;      /* s, its beginning and its length */
+    double time, h;      /* s, the step's beginning and length */
     double value, limit; /* the value that exceeded a limit, and the limit */
 } rejection;
 
@@ -73,8 +73,8 @@ int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
  *  limits could be reached. */
 int simulation_step(simulation *sim, char *error);
 
-/* The size in bytes of the state between two steps of the scene, in this machine's formats. A
- * simulation of the same mesh and scene continues from the state with the same bits. */
+/* Returns the size in bytes of the state between two steps of the scene, in this machine's formats.
+ * A simulation of the same mesh and scene continues from the state with the same bits. */
 size_t simulation_saved_size(simulation *sim);
 /** Writes the state to bytes [size], where size is simulation_saved_size. Does not change the
  *  simulation. */

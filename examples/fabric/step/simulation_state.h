@@ -41,16 +41,16 @@ struct cloth_state {
 /** The step being taken. */
 struct step {
     int ticks;           /* the step's length in ticks unless it is cut; a power of two */
-    double h;            /* its length in s */
-    int end_ticks;       /* its end, in ticks since the beginning of the scene's step */
-    double end_part;     /* s, its end beyond end_ticks */
+    double h;            /* the step's length in s */
+    int end_ticks;       /* the step's end, in ticks since the beginning of the scene's step */
+    double end_part;     /* s, time of the step's end beyond end_ticks */
     double stage_h;      /* s, length tau of the integrator's stage (integrator.h) */
     double (*guess)[3];  /* [vertices] m/s, dv of the last accepted step */
-    double guess_h;      /* that step's length, s */
+    double guess_h;      /* s, length of that step */
     double (*dv)[3];     /* [vertices] m/s */
     double (*x_next)[3]; /* [vertices] m */
     double (*v_next)[3]; /* [vertices] m/s */
-    double push_work;    /* J, as in monitored_step */
+    double push_work;    /* J, work of bodies, as in monitored_step */
     solver_status solver_status;
     monitor_verdict verdict;
     int accepted;      /* decided by updateSystem */
@@ -112,8 +112,8 @@ static inline double ticks_to_seconds(const simulation *sim, int ticks) {
     return sim->scene->time.step * (double)ticks / (double)TICKS_PER_STEP;
 }
 
-/** The time after this number of ticks of the scene's current step, s. It has no rounding error at
- *  whole steps if the step's length is exact. */
+/** Returns the time, s, after this number of ticks of the scene's current step. It has no rounding
+ *  error at whole steps if the step's length is exact. */
 static inline double time_at_tick(const simulation *sim, int ticks) {
     return sim->scene->time.step *
            ((double)sim->state.frame + (double)ticks / (double)TICKS_PER_STEP);

@@ -85,7 +85,7 @@ static double predicted(const team_level *at, long iterations) {
     return at->others + at->iteration * (double)iterations;
 }
 
-/* The level of the next round: that of a trial, or the chosen one if no trial is due. */
+/* Returns the level of the next round: that of a trial, or the chosen one if no trial is due. */
 static int next_trial(const team *t) {
     const int other = t->level + (t->upward ? -1 : 1);
     const team_level *at = &t->at[t->level];

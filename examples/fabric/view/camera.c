@@ -29,8 +29,8 @@ static void along(const camera *c, const double point[3], double out[3]) {
     out[2] = dot(c->back, point);
 }
 
-/** The least distance along `back` at which the picture, centred at `middle`, contains all points.
- */
+/** Returns the least distance along `back` at which the picture, centred at `middle`, contains all
+ *  points. */
 static double distance_for(const camera *c, const double middle[2], double (*points)[3],
                            long count) {
     double distance = -1e300;

@@ -9,7 +9,7 @@ typedef struct camera {
     double eye[3]; /* m */
     double right[3], up[3], back[3];
     double slope[2]; /* half the width and half the height of the picture at distance 1 */
-    double depth[2]; /* m, from the eye to the nearest and the farthest framed point */
+    double depth[2]; /* m, distances from the eye to the nearest and the farthest framed point */
 } camera;
 
 /**

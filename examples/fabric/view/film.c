@@ -52,7 +52,7 @@ static int find_material(film *f) {
     return 0;
 }
 
-/** The radius of a ball around the body's origin that contains the body, m. */
+/** Returns the radius, m, of a ball around the body's origin that contains the body. */
 static double reach_of(const collider *c) {
     switch (c->kind) {
     case COLLIDER_BOX:

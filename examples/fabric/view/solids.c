@@ -12,7 +12,7 @@ enum { AROUND = 96, DOWN = 48 };
 static const double PI = 3.14159265358979323846;
 static const double TILE = 0.25; /* m, side of a tile */
 
-/** Two unit vectors at right angles to the axis and to each other. */
+/** Computes two unit vectors at right angles to the axis and to each other. */
 static void axes_across(const double axis[3], double first[3], double second[3]) {
     const int other =
         fabs(axis[0]) < 0.9 ? 0 : 1; /* a coordinate axis that is not parallel to `axis` */

@@ -14,7 +14,7 @@ typedef struct stage_cloth {
     int vertex_count, triangle_count;
     const double *position; /* [3 * vertex_count] m */
     const int *triangle;    /* [3 * triangle_count] */
-    const float *material;  /* [2 * vertex_count] m, for the woven pattern */
+    const float *material;  /* [2 * vertex_count] m, coordinates for the woven pattern */
 } stage_cloth;
 
 /** Prepares pictures of this size. Returns NULL after a message on standard error. Only one stage
