@@ -256,7 +256,7 @@ struct variant {
     bool is_auto;
     char *array;
     double wall[AUTO_ROUNDS * MOST_ROUNDS], cpu[AUTO_ROUNDS * MOST_ROUNDS];
-    size_t extra; /* bytes */
+    size_t extra; /* extra memory, bytes */
 };
 
 static double clock_of(clockid_t clock) {

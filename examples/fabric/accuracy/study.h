@@ -86,11 +86,11 @@ void study_free(study *of);
 int study_dt(study *of);         /* error against step and CPU time, every integrator */
 int study_cg(study *of);         /* error against the linear systems' tolerance */
 int study_newton(study *of);     /* error against Newton's tolerance */
-int study_integrator(study *of); /* energy in time; the step and stiffness that each survives */
+int study_integrator(study *of); /* energy over time; step and stiffness that a run survives */
 int study_preconditioner(
-    study *of);                 /* iterations and time to a tolerance, and the direct solution */
+    study *of);                 /* iterations and time to tolerance; also the direct solution */
 int study_precision(study *of); /* error and time in float, mixed precision and double */
-int study_solver(study *of);    /* direct against iterative, over step and mesh */
+int study_solver(study *of);    /* direct and iterative solution, over step and mesh */
 int study_sum(study *of);       /* the orders of reduction of the parallel program */
 int study_mesh(study *of);      /* lowest point and time against the number of vertices */
 int study_horizon(study *of);   /* divergence of runs with nearly equal starts */

@@ -25,7 +25,7 @@ static const option compare_options[] = {
 /** The largest difference of two arrays of numbers. */
 typedef struct difference {
     long numbers;   /* how many numbers differ */
-    double largest; /* infinite if either is NaN */
+    double largest; /* infinite if one of the numbers is NaN */
     int vertex;     /* original number of the vertex with the largest difference */
     uint64_t ulps;  /* largest distance in units in the last place (ulps) */
 } difference;

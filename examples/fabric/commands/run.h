@@ -19,9 +19,10 @@ typedef struct run_request {
     long steps;             /* number of steps; NOT_GIVEN: the scene's */
     long stop_after;        /* step after which the run ends; NOT_GIVEN: the last */
     long threads;           /* number of threads; 0: the fastest number */
-    long frames;            /* states kept for pictures; NOT_GIVEN: FRAMES, or the resumed run's
-                             * number */
-    long every;             /* steps between checkpoints; NOT_GIVEN: 0, or the resumed run's */
+    long frames;            /* number of states kept for pictures; NOT_GIVEN: FRAMES, or the resumed
+                             * run's number */
+    long every;             /* number of steps between checkpoints; NOT_GIVEN: 0, or the resumed
+                             * run's */
     int progress;           /* progress_style */
     setting_list settings;
 } run_request;

@@ -89,8 +89,8 @@ typedef struct collisions {
     int any_there; /* number of colliders that exist now */
     out_of_reach others;
     int now_empty, before_empty; /* no vertex has a contact in `now`; none has one in `before` */
-    long visits;                 /* vertices tested against colliders, all steps */
-    long friction_visits;        /* contacts with friction, all steps */
+    long visits;                 /* number of vertices tested against colliders, all steps */
+    long friction_visits;        /* number of contacts with friction, all steps */
     double stick_speed;          /* m/s, speed below which a sliding vertex sticks */
     vertex_contacts *before;     /* [vertices] contacts of the last accepted step; NULL without
                                   * colliders */

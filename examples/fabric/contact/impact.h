@@ -16,7 +16,7 @@
 typedef struct impact_step {
     double time, h;         /* s */
     const double (*x)[3];   /* [vertices] m, positions at the step's beginning */
-    double (*v)[3];         /* [vertices] m/s, changed */
+    double (*v)[3];         /* [vertices] m/s, velocities, which are changed */
     movable of;             /* the vertices that may move */
     self_collision *itself; /* NULL: the cloth may go through itself */
     collisions *bodies;

@@ -111,7 +111,7 @@ static void find_friction(const movable *of, const feature *f, const double norm
 
 int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3],
                         const double normal[3]) {
-    static const double least_part = 0.02; /* relative to the mobility of vertices that are all
+    static const double least_part = 0.02; /* least mobility, relative to that if all vertices were
                                             * free */
     double all_free = 0;
     for (int k = 0; k < f->count; k++) {

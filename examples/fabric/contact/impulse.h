@@ -10,7 +10,7 @@ struct collisions;
 /** Which vertices may move: references to their masses, pins and contacts. */
 typedef struct movable {
     const double *mass;              /* [vertices] kg */
-    const struct collisions *bodies; /* with the step's pins and contacts */
+    const struct collisions *bodies; /* these have the step's pins and contacts */
 } movable;
 
 /** Is the vertex pinned, or does it lie on a body? */

@@ -21,8 +21,8 @@ typedef struct self_pair {
     int vertex[4];
     int is_edges;
     int is_far;       /* scratch of barrier_pairs.c: the candidate is to be removed */
-    int near_at_rest; /* corners are within two gaps in the rest shape: the pair is only kept from
-                       * passing */
+    int near_at_rest; /* true: corners are within two gaps in the rest shape, so the pair is only
+                       * kept from passing */
 } self_pair;
 
 /** A search has this number of parts, whatever the number of threads; the parts' results are
@@ -53,10 +53,10 @@ typedef struct self_grid {
     double cloth[2][3];       /* m, box around all that the cloth sweeps; set if there are bodies */
     int *owned;               /* [triangles] what is assigned to it: bits 0-2 its vertices, 3-5 its
                                * edges 0-1, 1-2, 2-0 */
-    int *first;               /* [triangles + 1] a triangle's first entry in `loose` */
+    int *first;               /* [triangles + 1] each triangle's first entry in `loose` */
     struct self_entry *loose; /* entries sorted by triangle */
     struct self_entry *entry; /* entries sorted by bucket */
-    int *start;               /* [buckets + 2] a bucket's first entry */
+    int *start;               /* [buckets + 2] each bucket's first entry */
     int bucket_room, entry_room, loose_room;
     self_pairs part[SELF_PARTS]; /* results of the last search */
 } self_grid;
@@ -96,7 +96,7 @@ typedef struct self_collision {
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
     self_history history;
-    int left; /* pairs that still pass in the current step */
+    int left; /* number of pairs that still pass in the current step */
     long visits;
     arrays own; /* the arrays above whose size is [triangles] or [vertices] */
 } self_collision;

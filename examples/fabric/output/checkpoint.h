@@ -25,9 +25,9 @@
 
 /** State of a run, except its simulation. */
 typedef struct run_record {
-    long step;      /* completed steps of the scene */
+    long step;      /* number of completed steps of the scene */
     long frames;    /* number of states kept for pictures */
-    long every;     /* steps from one checkpoint to the next; 0: none */
+    long every;     /* number of steps from one checkpoint to the next; 0: no checkpoints */
     double seconds; /* wall time of the steps */
 } run_record;
 

@@ -11,9 +11,9 @@ typedef struct run_account {
     const mesh *cloth;
     const simulation *sim;
     int threads;          /* number of threads, 1 without OpenMP */
-    double mesh_seconds;  /* wall, to generate and order the mesh */
-    double setup_seconds; /* wall, to make the simulation from the mesh */
-    double step_seconds;  /* wall, all steps, including those before a checkpoint */
+    double mesh_seconds;  /* wall time to generate and order the mesh */
+    double setup_seconds; /* wall time to make the simulation from the mesh */
+    double step_seconds;  /* wall time of all steps, including those before a checkpoint */
     int interrupted;      /* the run ended before its last step */
 } run_account;
 

@@ -21,7 +21,7 @@ enum { SCENE_FILE_SIZE = 1024 };
 typedef struct keyframe {
     double time;    /* s, ascending */
     double move[3]; /* m, displacement from the collider's position */
-    double angle;   /* degrees, rotation about its turn_axis */
+    double angle;   /* degrees, rotation about the collider's turn_axis */
 } keyframe;
 
 typedef struct collider {
@@ -31,12 +31,12 @@ typedef struct collider {
     double axis[3];     /* unit: plane's normal, cylinder's axis */
     double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
     double friction;    /* Coulomb coefficient */
-    double gap;         /* m, distance at which cloth rests on it */
+    double gap;         /* m, distance at which cloth rests on the collider */
     char file[SCENE_FILE_SIZE]; /* mesh: full path of a file for input/mesh_file.h */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
     double from, until;         /* s, interval in which the collider exists; until 0: no end */
-    double turn_axis[3];        /* unit, the axis of its keyframes' rotations */
-    int keyframe_count;         /* 0: it moves with its constant velocity */
+    double turn_axis[3];        /* unit, axis of the keyframes' rotations */
+    int keyframe_count;         /* 0: the collider moves with its constant velocity */
     keyframe *keyframes;        /* [keyframe_count]; owned by the scene */
 } collider;
 
@@ -52,9 +52,9 @@ typedef struct pin {
     int vertex_count;             /* length of `vertices` */
     int *vertices;                /* [vertex_count] numbers before reordering, from 1; owned by the
                                    * scene */
-    double velocity[3];           /* m/s; 0: held where they are */
-    double move_from, move_until; /* s, interval in which it moves; move_until 0: no end */
-    double until;                 /* s, time at which it releases the cloth; 0: never */
+    double velocity[3];           /* m/s; 0: the pinned vertices are held in place */
+    double move_from, move_until; /* s, interval in which the pin moves; move_until 0: no end */
+    double until;                 /* s, time at which the pin releases the cloth; 0: never */
 } pin;
 
 /** Limits of a step; a step that exceeds one is repeated with half the length (see monitor.h). */
@@ -91,7 +91,7 @@ typedef struct scene_cloth {
     unsigned seed;
     mesh_order order;
     double origin[3]; /* m, the sheet's centre */
-    double normal[3]; /* unit, the sheet's plane */
+    double normal[3]; /* unit, normal of the sheet's plane */
 } scene_cloth;
 
 /** A section `material`. */
@@ -107,12 +107,13 @@ typedef struct scene_surroundings {
 #include "effects/effects.def"
     double gravity[3];            /* m/s^2 */
     double wind[3];               /* m/s */
-    double wind_from, wind_until; /* s, interval in which it blows; wind_until 0: no end */
+    double wind_from, wind_until; /* s, interval in which the wind blows; wind_until 0: no end */
 } scene_surroundings;
 
 /** A section `self_collision`. */
 typedef struct scene_self_collision {
-    double gap;      /* m, distance that cloth keeps from itself; 0: it may pass through itself */
+    double gap;      /* m, distance that cloth keeps from itself; 0: cloth may pass through
+                      * itself */
     double friction; /* Coulomb coefficient */
 } scene_self_collision;
 

@@ -50,7 +50,7 @@ typedef struct solver_options {
 } solver_options;
 
 typedef struct solver {
-    int count;  /* vertices */
+    int count;  /* number of vertices */
     int chunks; /* number of chunks of vertices, for sums */
     /* b - A dv. Along given directions it is minus the impulse in kg m/s with which the constraint
      * holds the vertex. (During the iteration: S (b - A dv).) */
@@ -66,7 +66,7 @@ typedef struct solver {
     struct packed_solver *packed;  /* other conjugate gradients */
     struct direct_solver *direct;  /* METHOD_DIRECT */
     arrays own;                    /* residual, product */
-    arrays jacobi;                 /* the other arrays, for block-Jacobi */
+    arrays jacobi;                 /* all other arrays, which block-Jacobi uses */
 } solver;
 
 typedef struct solver_limits {

@@ -19,10 +19,11 @@ typedef struct reached {
 
 struct domain_solver {
     const block_matrix *A;
-    int count;               /* domains */
-    int *start;              /* [count + 1] a domain's first vertex */
-    int *domain;             /* [rows] a vertex's domain */
-    int *place;              /* [A's blocks] a block's index in `within`, `across` or `between` */
+    int count;               /* number of domains */
+    int *start;              /* [count + 1] each domain's first vertex */
+    int *domain;             /* [rows] each vertex's domain */
+    int *place;              /* [A's blocks] each block's index in `within`, `across` or
+                              * `between` */
     block_matrix within;     /* U's blocks within domains */
     block_matrix across;     /* U's blocks with an even domain's row and an odd domain's column */
     int *reached_start;      /* [rows + 1] index in `reached` of a column's first block */

@@ -33,8 +33,8 @@ typedef struct integrator_memory {
     int two_states;           /* BDF2: the current stage uses two earlier states, not one */
     double (*x_before)[3];    /* BDF2: [vertices] m, the state before the last accepted one */
     double (*v_before)[3];    /* BDF2: [vertices] m/s */
-    double h_before;          /* BDF2: s, length of the step from there to the last accepted state;
-                               * 0: no earlier state */
+    double h_before;          /* BDF2: s, length of the step from the state in x_before; 0: no
+                               * earlier state */
     double (*base_x)[3];      /* [vertices] m, X */
     double (*base_v)[3];      /* [vertices] m/s, V */
     double (*at_x)[3];        /* [vertices] m, positions at which forces are evaluated: X + tau v */

@@ -29,7 +29,8 @@ typedef enum monitor_verdict {
     STEP_ENERGY,
     STEP_PENETRATION,
     STEP_PASSING,
-    STEP_NO_ROOM, /* `contact: barrier`: driven vertices could not reach their goals */
+    STEP_NO_ROOM, /* with `contact: barrier`: vertices moved by pins or bodies could not reach their
+                   * goals */
     STEP_VERDICT_COUNT
 } monitor_verdict;
 
@@ -48,7 +49,8 @@ typedef struct monitored_step {
     const strain_limit *limit; /* NULL: none */
     const collisions *collisions;
     solver_status status;
-    int passing;  /* pairs of the cloth, and triangles with a collider, that pass in the step */
+    int passing;  /* number of pairs of the cloth, and of triangles with a collider, that pass in
+                   * the step */
     int watched;  /* 0: only `finite`, `status` and `passing` are checked */
     int finite;   /* all of x_next and v_next are finite */
     int shortest; /* the step cannot be halved further */
@@ -71,7 +73,7 @@ typedef struct monitor {
     long let_pass[STEP_VERDICT_COUNT];
     double greatest_strain, deepest; /* no unit; m */
     /* At the start of the run: */
-    long start_inside;  /* vertices in a collider */
+    long start_inside;  /* number of vertices in a collider */
     double start_depth; /* m */
 } monitor;
 

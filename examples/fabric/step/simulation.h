@@ -17,10 +17,10 @@ typedef struct phase {
 
 typedef struct effect_account {
     const char *name; /* "stretch", "shear", "bend", ... */
-    int active;       /* it acts at some time in the scene */
-    int on;           /* it acts now */
-    long elements;    /* number of triangles, hinges, ... that it processes per step */
-    long visited;     /* elements processed in all steps */
+    int active;       /* the effect acts at some time in the scene */
+    int on;           /* the effect acts now */
+    long elements;    /* number of triangles, hinges, ... that the effect processes per step */
+    long visited;     /* number of elements processed in all steps */
     double seconds;   /* wall */
 } effect_account;
 
@@ -95,12 +95,12 @@ const rejection *simulation_rejections(const simulation *sim, int *count);
 
 /** Counts of a run so far. */
 typedef struct run_counts {
-    long iterations;        /* iterations of conjugate gradients in all steps */
-    long newton_iterations; /* linear systems solved for Newton's method */
-    long taken;             /* steps accepted, parts of halved ones included */
-    long rejected;          /* steps rejected */
-    long slept;             /* steps of the scene through which the cloth slept */
-    long matrix_blocks;     /* stored 3x3 blocks */
+    long iterations;        /* number of iterations of conjugate gradients in all steps */
+    long newton_iterations; /* number of linear systems solved for Newton's method */
+    long taken;             /* number of steps accepted, including the parts of halved ones */
+    long rejected;          /* number of steps rejected */
+    long slept;             /* number of the scene's steps through which the cloth slept */
+    long matrix_blocks;     /* number of stored 3x3 blocks */
 } run_counts;
 
 run_counts simulation_counts(const simulation *sim);
@@ -115,7 +115,7 @@ typedef struct run_faults {
     long start_inside;                    /* number of vertices that start in a collider */
     double start_depth;                   /* m, depth of the deepest of them */
     int watched;          /* the monitor is on; otherwise strain and depth are unknown */
-    long solved_directly; /* systems solved by the fall-back (solver_fallback.h) */
+    long solved_directly; /* number of systems solved by the fall-back (solver_fallback.h) */
 } run_faults;
 
 run_faults simulation_faults(const simulation *sim);

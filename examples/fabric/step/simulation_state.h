@@ -25,15 +25,15 @@ enum { TICKS_PER_STEP = 1024 };
 struct in_force {
     double wind[3];    /* m/s */
     double next_event; /* s, time of the next event (plan_events) */
-    double plan_time;  /* s, the time for which plan.c found these */
+    double plan_time;  /* s, the time for which plan.c found them */
 };
 
 /** The state accepted last. */
 struct cloth_state {
     double (*x)[3]; /* [vertices] m */
     double (*v)[3]; /* [vertices] m/s */
-    long frame;     /* completed steps of the scene */
-    int ticks_done; /* ticks completed in the scene's current step */
+    long frame;     /* number of completed steps of the scene */
+    int ticks_done; /* number of ticks completed in the scene's current step */
     double part;    /* s, time completed beyond these ticks; > 0 if the last step was cut at an
                      * event */
 };

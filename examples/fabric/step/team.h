@@ -28,7 +28,8 @@ typedef struct team_level {
 } team_level;
 
 typedef struct team {
-    int most;   /* threads of level 0; level l has most >> l threads. 0: nothing to choose */
+    int most;   /* number of threads of level 0; level l has most >> l threads. 0: nothing to
+                 * choose */
     int levels; /* the last one has one thread */
     int level;  /* the chosen level */
     int trial;  /* the current round's level; equal to `level` if it is not a trial */
@@ -44,7 +45,7 @@ typedef struct team {
 /** The measurements of a round. */
 typedef struct team_round {
     double seconds, solve_seconds;
-    long iterations; /* iterations of the solver */
+    long iterations; /* number of iterations of the solver */
 } team_round;
 
 /** Begins with `most` threads, or with one if cores are busy. */

@@ -18,7 +18,7 @@ typedef struct vertex_constraint {
 /** S and z are stored only for vertices that have been constrained; others have the identity and 0.
  */
 typedef struct constraints {
-    int count;               /* vertices */
+    int count;               /* number of vertices */
     unsigned char *given;    /* [count] number of given directions: 0 (free) to 3 (all) */
     int *place;              /* [count] index in `list`, or -1; NULL: no vertex has an entry */
     vertex_constraint *list; /* [used] */
