@@ -78,7 +78,7 @@ typedef struct barrier {
     unsigned char *driven; /* [surface's vertices] 1 if a pin or a body moves the vertex */
     double stiffness;      /* J */
     double slip_speed;     /* m/s, speed up to which friction grows */
-    self_collision search; /* the grid and its candidates */
+    self_collision search; /* grid of the search, and candidate pairs */
     double margin;         /* m, candidates stay valid for displacements up to this */
     double (*searched)[3]; /* [surface's vertices] m, positions at the last search */
     int has_candidates;    /* the last search may be reused */

@@ -26,7 +26,7 @@ enum { CONTACTS_PER_VERTEX = 3 };
 typedef struct contact {
     int collider;
     int sticks;        /* true: the vertex sticks; false: it slides */
-    int pulls;         /* consecutive steps in which the constraint pulled */
+    int pulls;         /* number of consecutive steps in which the constraint pulled */
     double normal[3];  /* unit */
     double speed;      /* m/s, prescribed along the normal */
     double force;      /* N, normal force of the last accepted step; > 0: it presses */

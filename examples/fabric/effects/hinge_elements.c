@@ -16,7 +16,7 @@ static double rest_area(const double uv[3][2], double *square) {
     return fabs(uv[1][0] * uv[2][1] - uv[2][0] * uv[1][1]) / 2;
 }
 
-/* 3 |e|^2 / a, or 0 if a triangle has no rest shape. */
+/* Returns the weight 3 |e|^2 / a (hinge.h), or 0 if a triangle has no rest shape. */
 static double rest_weight(const mesh *m, const int corner[4]) {
     double left[3][2], right[3][2], square, same;
     if (mesh_rest_triangle(m, corner[0], corner[1], corner[2], left) == MESH_REST_NONE ||

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Let C C' be the diagonal blocks of the prefiltered matrix, divided by the relaxation factor. The
- * scaled matrix, with its diagonal blocks D^, is
+ * Let C C' be the diagonal blocks of the prefiltered matrix (solver_precondition.h), divided by the
+ * relaxation factor. The scaled matrix, with its diagonal blocks D^, is
  *     A^ = C^-1 A C^-T = D^ + U + U' + E + E'
- * Vertices are reordered: all even domains come before all odd ones. E has the blocks between two
- * different even or two different odd domains, and U all other blocks above the diagonal in that
- * order. E has few blocks: if neighbours have near numbers, a domain touches only the ones before
- * and after it. So all even domains, and then all odd ones, are swept in parallel. The
- * preconditioner is (I + U)' (I + U), and the iteration runs on (I + U)^-T A^ (I + U)^-1. With t =
- * (I + U)^-1 p the image of a direction p is (Eisenstat 1981)
+ * Vertices are divided into domains of consecutive numbers, and reordered: all even domains come
+ * before all odd ones. E has the blocks between two different even or two different odd domains,
+ * and U all other blocks above the diagonal in that order. E has few blocks: if neighbours have
+ * near numbers, a domain touches only the ones before and after it. So all even domains, and then
+ * all odd ones, are swept in parallel. The preconditioner is (I + U)' (I + U), and the iteration
+ * runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the image of a direction p is (Eisenstat
+ * 1981)
  *     t + (I + U)^-T w        w = p + (D^ - 2 I + E + E') t
  * so that each stored block of A is used twice per iteration, as in half_product.
  */

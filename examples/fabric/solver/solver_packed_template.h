@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * Conjugate gradients on the preconditioned matrix. This file is included once per number type:
- * REAL is the type, PACKED(name) the name for it. The prefiltered matrix B = S A S + s (I - S) is
- * stored scaled, as A^ = C^-1 B C^-T = D^ + U + U'. C C' are the preconditioner's diagonal blocks,
- * D^ is the diagonal of A^, and U is strictly upper. The iteration runs on
+ * REAL is the type, PACKED(name) the name for it. The prefiltered matrix B = S A S + s (I - S)
+ * (solver_precondition.h) is stored scaled, as A^ = C^-1 B C^-T = D^ + U + U'. C C' are the
+ * preconditioner's diagonal blocks, D^ is the diagonal of A^, and U is strictly upper. The
+ * iteration runs on
  *  - A^ itself (M = C C') without a preconditioner, and for Jacobi and block-Jacobi
  *  - (I + U)^-T A^ (I + U)^-1 for symmetric Gauss-Seidel
  *  - (I + F)^-T A^ (I + F)^-1 for incomplete Cholesky (F: solver_factor.h)

@@ -68,7 +68,8 @@ typedef struct monitor {
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* the value and its limit */
     int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in this step */
-    long passing_in_a_row;             /* consecutive accepted steps in which something passed */
+    long passing_in_a_row;             /* number of consecutive accepted steps in which something
+                                        * passed */
     /* Of all accepted steps: */
     long let_pass[STEP_VERDICT_COUNT];
     double greatest_strain, deepest; /* no unit; m */

@@ -34,7 +34,7 @@ struct cloth_state {
     double (*v)[3]; /* [vertices] m/s */
     long frame;     /* number of completed steps of the scene */
     int ticks_done; /* number of ticks completed in the scene's current step */
-    double part;    /* s, time completed beyond these ticks; > 0 if the last step was cut at an
+    double part;    /* s, time completed beyond ticks_done; > 0 if the last step was cut at an
                      * event */
 };
 
@@ -55,8 +55,8 @@ struct step {
     monitor_verdict verdict;
     int accepted;      /* decided by updateSystem */
     int out_of_memory; /* an allocation failed: no further step is possible */
-    int easy_steps;    /* consecutive accepted steps at this length */
-    int slow_steps;    /* consecutive steps of the scene that ended slowly (rest.h) */
+    int easy_steps;    /* number of consecutive accepted steps at this length */
+    int slow_steps;    /* number of consecutive steps of the scene that ended slowly (rest.h) */
 };
 
 /** Counters and times of a run. */
