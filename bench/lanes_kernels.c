@@ -177,7 +177,7 @@ void float_membrane(int count, const struct element *restrict element, const flo
     }
 }
 
-/* Contact forces between pairs of particles, most of which do not touch. */
+/* Contact forces between pairs of particles; most pairs do not touch. */
 void contacts(int count, const int (*pair)[2], const double (*x)[3], const double (*v)[3],
               const double *radius, double (*force)[3]) {
     for (int t = 0; t < count; t++) {

@@ -319,7 +319,7 @@ static void sequentially_heavy(void) {
     }
 }
 
-/* `key` stands for a pointer on which the subscripts depend: changing it forces an inspection.
+/* `key` is in place of a pointer on which the subscripts depend: changing it forces an inspection.
  * Returns 0 if the loop was executed sequentially, otherwise 1. */
 static int run_heavy(redcc_word key, enum bench_variant variant) {
     switch (variant) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Loops for bench/generated.sh: springs, a histogram, y = A x by columns, and a loop with a
- * live-out value, whose body redcc does not move to a function of its own. The argument selects
+ * live-out value; redcc does not move that loop's body to a separate function. The argument selects
  * one. */
 #include <stdio.h>
 #include <stdlib.h>

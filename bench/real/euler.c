@@ -27,7 +27,7 @@ static int nnode, nedge, nwall, nfar;
 static double (*x)[2], *volume;
 static int (*edge)[2];
 static double (*normal)[2]; /* normal of the dual face between an edge's nodes, from first to
-                             * second, as long as the face */
+                             * second; its length is the face's */
 static int *wall, *far_node;
 static double (*wall_normal)[2], (*far_normal)[2];  /* outward normals at the boundary */
 static double (*q)[4], (*q0)[4], (*res)[4], *speed; /* q: density, momentum (2), energy; res:

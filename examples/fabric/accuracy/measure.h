@@ -49,7 +49,7 @@ double total_energy(const simulation *sim);
 /** Returns the scene with its duration divided into this number of steps. */
 scene divided(const scene *s, int steps);
 
-/** Returns the scene with `factor` times as many vertices, for a generated mesh. */
+/** Returns the scene whose generated mesh has the number of vertices multiplied by `factor`. */
 scene refined(const scene *s, double factor);
 
 /** Like `divided`, but with this integrator and tolerance. It is the tolerance of the linear system

@@ -9,8 +9,8 @@ int movable_is_held(const movable *of, int vertex) {
     return collisions_pin_of(c, vertex) >= 0 || (c->now && c->now[vertex].count > 0);
 }
 
-/* Returns the speed, m/s, at which the vertex moves away from its contact's body beyond what the
- * contact prescribes, or 0 if that is within the rounding of v. */
+/* Returns the speed, m/s, at which the vertex moves away from its contact's body, less the speed
+ * that the contact prescribes, or 0 if that is within the rounding of v. */
 static double leaving_speed(const contact *touch, const double v[3]) {
     static const double rounding = 1e-9;
     const double speed = vector_dot(touch->normal, v) - touch->speed;

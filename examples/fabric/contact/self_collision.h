@@ -51,7 +51,7 @@ typedef struct self_pairs {
 typedef struct self_grid {
     double (*box)[2][3];      /* [triangles] low and high, m */
     double cloth[2][3];       /* m, box around all that the cloth sweeps; set if there are bodies */
-    int *owned;               /* [triangles] what is assigned to it: bits 0-2 its vertices, 3-5 its
+    int *owned;               /* [triangles] features assigned to it: bits 0-2 its vertices, 3-5 its
                                * edges 0-1, 1-2, 2-0 */
     int *first;               /* [triangles + 1] each triangle's first entry in `loose` */
     struct self_entry *loose; /* entries sorted by triangle */

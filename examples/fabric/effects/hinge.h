@@ -62,7 +62,7 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
-/** Adds h f to b, where f is the damping force of bending (see triangle_damping_forces). */
+/** Adds h f to b with the damping force f of bending (see triangle_damping_forces). */
 void hinge_damping_forces(const hinge_elements *e, const hinge_material *material, double h,
                           const double (*restrict x)[3], const double (*restrict v)[3],
                           double (*restrict b)[3]);

@@ -104,8 +104,8 @@ void hinge_elements_free(hinge_elements *e) {
     *e = (hinge_elements){0};
 }
 
-/* Returns the angle of hinge t at positions x. Of the values that differ by whole rotations, the
- * one nearest to the stored angle is returned. */
+/* Returns the angle of hinge t at positions x. Angles are unique up to whole rotations; the value
+ * nearest to the stored angle is returned. */
 static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
     const double angle = hinge_angle(x, e->corner[t]) - (e->at_rest ? e->at_rest[t] : 0);
     const double change = e->angle[t] - angle;

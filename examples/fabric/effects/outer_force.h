@@ -11,10 +11,10 @@
 #include "triangle.h"
 
 /** The point about which forces are linearised; arrays are [vertices]. A step of h s ends at
- *  positions x + h (lag + dv) and velocities v + dv, where dv is the unknown change of velocity. */
+ *  positions x + h (lag + dv) and velocities v + dv with the unknown change of velocity dv. */
 typedef struct expansion {
     double h;               /* s */
-    const double (*x)[3];   /* m, where forces and their derivatives are evaluated */
+    const double (*x)[3];   /* m, positions at which forces and their derivatives are evaluated */
     const double (*lag)[3]; /* m/s; equal to v if x is the step's start */
     const double (*v)[3];   /* m/s, velocities at the start of the step */
 } expansion;

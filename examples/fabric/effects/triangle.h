@@ -51,10 +51,10 @@ void triangle_forces(const triangle_elements *e, const triangle_material *materi
                      const double (*restrict x)[3], const double (*restrict v)[3],
                      linear_system *s);
 
-/** Adds h f to b, where f is the damping force of stretch and shear at positions x (m) and
- *  velocities v (m/s). A is unchanged. triangle_forces linearises damping together with stiffness;
- *  an iteration of Newton's method, with independent positions and velocities, needs -h D(x) v
- *  separately (D: the damping matrix). */
+/** Adds h f to b with the damping force f of stretch and shear at positions x (m) and velocities v
+ *  (m/s). A is unchanged. triangle_forces linearises damping together with stiffness; an iteration
+ *  of Newton's method, with independent positions and velocities, needs -h D(x) v separately (D:
+ *  the damping matrix). */
 void triangle_damping_forces(const triangle_elements *e, const triangle_material *material,
                              double h, const double (*restrict x)[3], const double (*restrict v)[3],
                              double (*restrict b)[3]);

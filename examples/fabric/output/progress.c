@@ -55,7 +55,7 @@ static void set_alarm(int seconds) {
     setitimer(ITIMER_REAL, &every, NULL);
 }
 
-/* Starts the signs of life of the next step, each of which begins with `text`. */
+/* Starts the signs of life of the next step. Each begins with `text`. */
 static void start_beating(const progress *p, const char *text) {
     beat_ready = 0;
     atomic_signal_fence(memory_order_seq_cst); /* the handler sees the stores in this order */

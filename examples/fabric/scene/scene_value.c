@@ -369,7 +369,7 @@ static int read_kind(const scene_source *from, const yaml_node_t *node, const sc
 
 int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                        void *target, const char *path) {
-    unsigned seen = 0; /* one bit for each key, of which there are at most MOST_KEYS */
+    unsigned seen = 0; /* one bit for each key; a section has at most MOST_KEYS */
     if (node->type != YAML_MAPPING_NODE)
         return wrong_type(from, node, path[0] != '\0' ? path : "the scene", "a section of keys");
     const int kind = read_kind(from, node, keys, path);

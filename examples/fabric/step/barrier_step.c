@@ -255,7 +255,7 @@ static double free_dot(const simulation *sim, const double (*a)[3], const double
 /* Replaces the search direction d by z + f d, with Newton's direction z, f = max(0, z . (r - r') /
  * (z' . r')) and r = -dE/d(dv); ' marks values of the previous iteration (Polak and Ribiere). The
  * projected Hessian omits negative terms and is too stiff: without conjugate directions three times
- * as many systems are needed. */
+ * the number of systems is needed. */
 static void make_conjugate(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier_descent *d = &s->descent;

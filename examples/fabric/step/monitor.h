@@ -64,13 +64,13 @@ typedef struct monitor {
     double reference;             /* J, E_0 + sum |W| */
     double noise;                 /* J, bound on the error of the energy that rounding of positions
                                    * causes */
-    /* Of the step checked last: */
+    /* About the step checked last: */
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* the value and its limit */
     int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in this step */
     long passing_in_a_row;             /* number of consecutive accepted steps in which something
                                         * passed */
-    /* Of all accepted steps: */
+    /* About all accepted steps: */
     long let_pass[STEP_VERDICT_COUNT];
     double greatest_strain, deepest; /* no unit; m */
     /* At the start of the run: */

@@ -76,7 +76,7 @@ int simulation_step(simulation *sim, char *error);
 /* Returns the size in bytes of the state between two steps of the scene, in this machine's formats.
  * A simulation of the same mesh and scene continues from the state with the same bits. */
 size_t simulation_saved_size(simulation *sim);
-/** Writes the state to bytes [size], where size is simulation_saved_size. Does not change the
+/** Writes the state to bytes [size]; size must be simulation_saved_size. Does not change the
  *  simulation. */
 void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
 /** Restores the state in a new simulation. Returns 0, or -1 if the bytes are invalid for it; the

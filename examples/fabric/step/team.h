@@ -32,7 +32,7 @@ typedef struct team {
                  * choose */
     int levels; /* the last one has one thread */
     int level;  /* the chosen level */
-    int trial;  /* the current round's level; equal to `level` if it is not a trial */
+    int trial;  /* level of the current round; equal to `level` unless the round is a trial */
     int upward; /* the next trial uses more threads */
     int ended;  /* the current trial took too long: the round continues at the chosen level */
     team_level at[TEAM_LEVELS];
