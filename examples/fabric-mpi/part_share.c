@@ -43,7 +43,7 @@ static Mat block_graph(const mesh *whole, const division *d) {
     const int blocks = d->count;
     int(*pair)[2] = part_memory(6 * (size_t)whole->triangle_count, sizeof *pair);
     const int count = join_blocks(whole, d->of, pair);
-    PetscInt *start, *to; /* the matrix takes ownership of both */
+    PetscInt *start, *to; /* the matrix takes ownership of these two arrays */
     Mat graph;
     CHECK(PetscCalloc1(blocks + 1, &start));
     CHECK(PetscMalloc1(count, &to));

@@ -76,9 +76,9 @@ static void find_blocks(petsc_system *of, const block_matrix *A, const int *numb
     free(next);
 }
 
-/* Preallocates the matrix. Counts the blocks of each row in columns that the rank owns and in other
- * columns and, for a matrix that stores only its upper half, those of both at or right of the
- * diagonal. */
+/* Preallocates the matrix. Counts the blocks of each row in columns that the rank owns and those in
+ * other columns. For a matrix that stores only its upper half, also counts the blocks of either
+ * kind at or right of the diagonal. */
 static void allocate(const petsc_system *of) {
     enum { OWN, OTHER, OWN_UPPER, OTHER_UPPER, COUNTS };
     PetscInt *count[COUNTS];

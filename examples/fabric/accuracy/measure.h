@@ -52,9 +52,9 @@ scene divided(const scene *s, int steps);
 /** Returns the scene whose generated mesh has the number of vertices multiplied by `factor`. */
 scene refined(const scene *s, double factor);
 
-/** Like `divided`, but with this integrator and tolerance. It is the tolerance of the linear system
- *  or, for integrators that use Newton's method, of that method; its linear systems are then solved
- *  less accurately. */
+/** Like `divided`, but with this integrator and tolerance. `tolerance` is that of Newton's method
+ *  for integrators that use it, whose linear systems are then solved less accurately; otherwise it
+ *  is that of the linear system. */
 scene divided_by(const scene *s, int integrator, int steps, double tolerance);
 
 /** CPU seconds of this process, all threads. */

@@ -18,7 +18,7 @@
 #include "shape.h"
 
 enum { most_rounds = 400 };
-/* Pairs nearer than half of this fraction of their reach are separated to the whole fraction. */
+/* Pairs nearer than half of this fraction of their reach are moved apart to this fraction. */
 static const double wanted_part = 0.5;
 
 typedef struct untangling {

@@ -76,8 +76,8 @@ static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, do
 }
 
 /* Tests all colliders, and puts those into `watched` that the cloth might reach by moving a
- * distance equal to its size. Meshes and colliders with keyframes are always watched: the distance
- * to an open mesh may jump, and keyframes may begin at any time. */
+ * distance equal to the cloth's size. Meshes and colliders with keyframes are always watched: the
+ * distance to an open mesh may jump, and keyframes may begin at any time. */
 static void test_all(collisions *c, const cloth_ball *ball, double time, double h) {
     out_of_reach *others = &c->others;
     const double margin = ball->radius + 4 * ball->displacement;

@@ -49,10 +49,11 @@ TRIANGLE_INLINE void stretch_terms(const double w[3], int axis, double area, dou
 }
 
 /*
- * Shear uses only the Gauss-Newton part of its second derivative, which is positive semidefinite;
- * the gradient of C with respect to (w_u; w_v) is sqrt(a) (w_v; w_u). With stiffness k and damping
- * kd: shear = (h^2 k + h kd) a, slant = h k a w_u . w_v. Adds to the gradients h dE/dw_u and h
- * dE/dw_v and to the blocks uu and vv, or sets them if `alone`; sets uv.
+ * Shear uses only the Gauss-Newton part of its second derivative, which is positive semidefinite.
+ * The gradient of C with respect to (w_u; w_v) is sqrt(a) (w_v; w_u). With step h, stiffness k,
+ * damping kd and area a, the arguments are shear = (h^2 k + h kd) a and slant = h k a w_u . w_v.
+ * Adds to the gradients h dE/dw_u and h dE/dw_v and to the blocks uu and vv, or sets them if
+ * `alone`. Sets uv.
  */
 TRIANGLE_INLINE void shear_terms(int alone, const double wu[3], const double wv[3], double shear,
                                  double slant, double force_u[3], double force_v[3],

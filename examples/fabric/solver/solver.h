@@ -20,7 +20,8 @@ typedef enum solver_status {
     SOLVER_NOT_FINITE           /* an infinity or NaN occurred: dv is unusable */
 } solver_status;
 
-typedef enum preconditioner_kind { /* the order of the scene's key solution.preconditioner */
+typedef enum preconditioner_kind { /* in the order of the values of the scene's key
+                                    * solution.preconditioner */
                                    PRECONDITIONER_GAUSS_SEIDEL,
                                    PRECONDITIONER_BLOCK_JACOBI,
                                    PRECONDITIONER_NONE,
@@ -28,7 +29,8 @@ typedef enum preconditioner_kind { /* the order of the scene's key solution.prec
                                    PRECONDITIONER_INCOMPLETE_CHOLESKY
 } preconditioner_kind;
 
-typedef enum solver_precision { /* the order of the scene's key solution.precision */
+typedef enum solver_precision { /* in the order of the values of the scene's key
+                                 * solution.precision */
                                 PRECISION_DOUBLE,
                                 PRECISION_FLOAT, /* iterates in float; the residual that it computes
                                                   * is smaller than the true one */
@@ -36,7 +38,7 @@ typedef enum solver_precision { /* the order of the scene's key solution.precisi
                                                     residual in double is small enough */
 } solver_precision;
 
-typedef enum solver_method { /* the order of the scene's key solution.method */
+typedef enum solver_method { /* in the order of the values of the scene's key solution.method */
                              METHOD_CONJUGATE_GRADIENTS,
                              METHOD_DIRECT /* sparse Cholesky by CHOLMOD, if built with it; double
                                               only */

@@ -8,11 +8,11 @@
 #include "system/system.h"
 
 /**
- * P_i = S (S A_ii S + s (I - S))^-1 S, any s > 0: the inverse of A's diagonal block on vertex i's
- * free directions, 0 on the others, so that search directions satisfy the constraints (as in the
- * prefiltered conjugate gradients of Tamstorf, Jones and McCormick 2015). A block that is not
- * positive definite gives a multiple of S, so that the iteration detects it. (No force makes such a
- * block.) A block of 0 gives P_i = 0: its vertex keeps the guess.
+ * P_i = S (S A_ii S + s (I - S))^-1 S, any s > 0, with S of constraint.h: the inverse of A's
+ * diagonal block on vertex i's free directions, 0 on the others. So search directions satisfy the
+ * constraints (as in the prefiltered conjugate gradients of Tamstorf, Jones and McCormick 2015). A
+ * block that is not positive definite gives a multiple of S, so that the iteration detects it. (No
+ * force makes such a block.) A block of 0 gives P_i = 0: its vertex keeps the guess.
  */
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]);
 

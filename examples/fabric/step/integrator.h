@@ -20,7 +20,7 @@
 #include "simulation.h"
 #include "solver/solver.h"
 
-typedef enum integrator_kind { /* the order of the scene's key time.integrator */
+typedef enum integrator_kind { /* in the order of the values of the scene's key time.integrator */
                                INTEGRATOR_LINEAR_EULER,
                                INTEGRATOR_EULER,
                                INTEGRATOR_BDF2,

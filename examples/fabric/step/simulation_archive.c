@@ -20,7 +20,7 @@ typedef struct archive {
     unsigned char *bytes; /* [size] bytes to write or read, not owned; NULL while counting */
     size_t size;
     size_t used;
-    int failed; /* more was requested than is left, or a value is invalid */
+    int failed; /* true: more was requested than is left, or a value is invalid */
 } archive;
 
 /** Copies `size` bytes from or to `value`. If `bytes` has too few left, sets `failed`; from then on

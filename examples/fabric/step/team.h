@@ -30,7 +30,7 @@ typedef struct team_level {
 typedef struct team {
     int most;   /* number of threads of level 0; level l has most >> l threads. 0: nothing to
                  * choose */
-    int levels; /* the last one has one thread */
+    int levels; /* number of levels; the last level has one thread */
     int level;  /* the chosen level */
     int trial;  /* level of the current round; equal to `level` unless the round is a trial */
     int upward; /* the next trial uses more threads */

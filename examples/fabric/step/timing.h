@@ -17,7 +17,7 @@ static inline double timing_rounding(const simulation *sim) {
     return 1e-9 * sim->scene->time.step;
 }
 
-/** Chooses the end of the step that begins now, and sets its length step.h. */
+/** Chooses the end of the step that begins now, and sets its length, sim->step.h. */
 void timing_begin(simulation *sim);
 
 /** The time at which the current step ends, s. */
