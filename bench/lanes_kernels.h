@@ -11,8 +11,8 @@ struct element {
     double area;
 };
 
-/** As struct element, for a matrix that stores all blocks: entry[p][q] is the block of corners p
- *  and q. */
+/** Like struct element, but for a matrix that stores all blocks: entry[p][q] is the block of
+ *  corners p and q. */
 struct cloth_element {
     int vertex[3];
     int entry[3][3];

@@ -62,7 +62,8 @@ static void lattice(int cells) {
                 }
 }
 
-/* Returns the coordinate difference d, between two atoms, to the nearest periodic image. */
+/* Returns the coordinate difference d of two atoms, replaced by that of their nearest periodic
+ * images. */
 static double image(double d) {
     if (d > 0.5 * box)
         return d - box;

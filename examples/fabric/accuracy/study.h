@@ -7,16 +7,16 @@
  *   step, tolerance                       time step, s; tolerance that the experiment varies
  *   steps, rejected                       accepted steps, and rejected ones
  *   cg_iterations, newton_iterations      sums over all steps, free of timing noise
- *   cpu_seconds                           of the steps, minimum of the repetitions
- *   error_rms, error_max                  m, against the reference at the end of the scene
- *   error_own                             m rms, against the same method with exact algebra, in
- *                                         experiments that run it
+ *   cpu_seconds                           CPU time of the steps, minimum of the repetitions
+ *   error_rms, error_max                  m, distance from the reference at the scene's end
+ *   error_own                             m rms, distance from the same method with exact algebra,
+ *                                         in experiments that run it
  *   front                                 1: on the Pareto front of time and error
- *   side, stiffness                       of the cloth, m; scene_stiffness
+ *   side, stiffness                       side of the cloth, m; its scene_stiffness
  *   contact, wind                         1 if the scene has colliders; if it has wind
- *   error_strain, error_energy            of the largest strain; of the energy, J; against the
- *                                         reference
- *   depth                                 m, of the deepest vertex in a collider during the run
+ *   error_strain, error_energy            differences of the largest strain and of the energy (J)
+ *                                         from the reference
+ *   depth                                 m, greatest depth of a vertex in a collider in the run
  */
 #ifndef FABRIC_ACCURACY_STUDY_H
 #define FABRIC_ACCURACY_STUDY_H

@@ -41,8 +41,8 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     return 0;
 }
 
-/* Writes whether a run of at least 3 steps and about 0.1 s finishes, with halved steps or at all,
- * with this step and stiffness. */
+/* Writes the outcome of a run of at least 3 steps and about 0.1 s with this step and stiffness:
+ * whether it finishes, and whether steps were halved. */
 static int write_survival(study *of, integrator_kind kind, double step, double stretch,
                           FILE *file) {
     static const char *const outcomes[] = {"finished", "halved", "gave up"};

@@ -27,7 +27,8 @@ typedef struct untangling {
     int *part;         /* [surface's vertices] index of the vertex's part */
     double *side;      /* [cloths * parts] > 0: the first part is on the side to which the second's
                         * normals point */
-    int *patch; /* [cloth's vertices] union-find parent: patches of vertices over their own part */
+    int *patch; /* [cloth's vertices] union-find parent; a set is a patch of vertices that overlap
+                 * their own part */
     double *above; /* [cloth's vertices] m, height above the part's own nearest triangle, along its
                     * normal; 0: none; at a patch's root: the patch's sum */
     double (*normal)[3]; /* [surface's vertices] vertex normals */

@@ -36,8 +36,8 @@ typedef struct rejection {
 /* The log stores the first rejections up to this number; all are counted. */
 enum { MOST_REJECTIONS = 1000 };
 
-/** Keeps references to mesh and scene, which must outlive it. Returns NULL with a message in
- *  error[256] on failure. */
+/** Keeps references to mesh and scene, which must outlive the simulation. Returns NULL with a
+ *  message in error[256] on failure. */
 simulation *simulation_new(const mesh *m, const scene *s, char *error);
 void simulation_free(simulation *sim);
 
