@@ -69,8 +69,8 @@ static void draw_sphere(const collider *c, const double center[3]) {
     }
 }
 
-/** Computes a point of the rim of the cylinder's end `end` (-1 or 1), and the normal of the curved
- *  side there. */
+/** Computes a point of the circle at the cylinder's end `end` (-1 or 1), and the normal of the
+ *  curved side there. */
 static void edge_point(const collider *c, const double center[3], int around, double end,
                        double point[3], double normal[3]) {
     double first[3], second[3];
