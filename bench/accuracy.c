@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Cost and accuracy of each order and each sum: `b[row[t]] += value[t]`, 1.2 million contributions
- * to 20000 elements, by every combination of REDCC_ORDER, REDCC_SUM and REDCC_METHOD.
+ * to 20000 elements, by combinations of REDCC_ORDER, REDCC_SUM and REDCC_METHOD.
  *
- *   accuracy CORES >accuracy.csv
+ *     accuracy CORES >accuracy.csv
  *
  *  - rows: sorted (consecutive contributions go to adjacent elements) or shuffled (to any element)
  *  - values: well-conditioned (in (0, 1)) or ill-conditioned (of both signs, over ten orders of
- *    magnitude, so that each element's sum is 1e-12 of its terms)
+ *    magnitude, so that each element's sum is about 1e-12 of the sum of its terms' magnitudes)
  *
  * Errors are relative to the exact sum, which is computed in 113 bits. Every run is a separate
- * process, because the variables are read once; runs use CORES threads, then 1, 2, 3, 8 and 16.
+ * process, because the variables are read once. Runs use CORES threads, then 1, 2, 3, 8 and 16.
  */
 #include "redcc/runtime.h"
 
@@ -135,8 +135,8 @@ static void add_up_by_redcc(double *b) {
 /* The results of a child process. */
 struct outcome {
     double b[ROWS];
-    double seconds;        /* median */
-    double serial_seconds; /* median of the sequential loop, interleaved */
+    double seconds;        /* median time of the loop by redcc */
+    double serial_seconds; /* median time of the sequential loop, in the same rounds */
 };
 
 static int by_size(const void *p, const void *q) {
@@ -199,7 +199,7 @@ struct collected {
     unsigned long result[MOST_RESULTS]; /* hashes of the different results */
     int results;
     double low[ROWS], high[ROWS];
-    double worst, middle; /* relative error of the first run: the largest, the median */
+    double worst, middle; /* relative error of the first run: the largest and the median */
 };
 
 static void collect(struct collected *all, const double *b) {

@@ -9,7 +9,8 @@ csv=$results/accuracy.csv
 load_note
 "$accuracy" "$(nproc)" >"$csv"
 
-# time: seconds divided by those of the sequential loop of the same process, then by those of order any with auto
+# The column "time over any" has the time relative to the sequential loop of the same process, divided by that of
+# order `any` with method auto.
 table() {
   awk -F, 'NR > 1 {
       relative = $7 / $8
@@ -24,9 +25,9 @@ table() {
 } | column -s, -t
 
 plot=$results/accuracy.png
-# One panel for each mesh, one row for each variant; the horizontal axis is the time divided by that of `any`. Each point
-# shows the largest error, and * if results differ between runs or thread counts.
-panel() { # rows: gnuplot commands, their data in $work
+# One panel for each kind of rows, one line for each variant. The horizontal axis is the time divided by that of order
+# `any`. Each point is labelled with the largest error, and * if results differ between runs or thread counts.
+panel() { # ROWS: prints gnuplot commands; their data are in $work
   awk -F, -v r="$1" '
     NR > 1 && $1 == r && $3 == "any" && $5 == "auto" {base[$2] = $7 / $8}
     NR > 1 && $1 == r {

@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Compares in-order binning with the sequential loop and with LOCALWRITE, on loops in redcc's
- * generated form whose subscripts are new at each execution, so that LOCALWRITE inspects each time.
+ * generated form. Each execution has new subscripts, so LOCALWRITE inspects each time. (In-order
+ * binning stores updates as records, sorted by row, before it applies them.)
  *
- *   OMP_NUM_THREADS=2 binning ROUNDS KERNEL...      no KERNEL: all
+ *     OMP_NUM_THREADS=2 binning ROUNDS KERNEL...      no KERNEL: all
  *
  * Each round executes every variant once, with the same subscripts. Each variant adds to a separate
  * array, which is not cleared; the bits of all arrays are compared after each round. Prints lines
  *
- *   kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
+ *     kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
  *
- * A separate run executes the loop by `auto`, alternating with the sequential loop, and adds up all
- * executions, including the first: seconds and speed-up are those of the sums.
+ * A separate run executes the loop by the method `auto`, alternating with the sequential loop, and
+ * adds up all executions, including the first. Its seconds and speed-up are those of the sums.
  *
  * For the other methods, seconds are medians; speed_up, lowest and highest are the median, minimum
- * and maximum of the rounds' speed-ups; best is the least time of the sequential loop divided by
- * the least time of the method; cpu is the sequential loop's processor time divided by the method's
- * per thread (auto: by its total), which other jobs disturb less; extra_percent is the extra memory
+ * and maximum of the rounds' speed-ups. best is the least time of the sequential loop divided by
+ * the least time of the method. cpu is the sequential loop's processor time divided by the method's
+ * per thread (auto: by its total); other jobs disturb it less. extra_percent is the extra memory
  * relative to the array.
  */
 #include "base/bins_kind.h"
@@ -33,7 +34,7 @@
 #include <sys/resource.h>
 #include <time.h>
 
-enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for each round */ };
+enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in each round */ };
 
 /* ---- the forms of a body --------------------------------------------------------------------- */
 
@@ -60,7 +61,8 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for ea
     } while (0)
 #define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
 
-/* BODY(UPDATE) is the loop's body for iteration t of *d; BYTES: size of a record. */
+/* BODY(UPDATE) is the loop's body for iteration t of *d. BYTES is the size of a record; EXACT is 1
+ * if the order of updates does not change the result. */
 #define KERNEL(N, ROW, BYTES, OPERATION, TYPE, EXACT, BODY)                                        \
     static void N##_apply(const redcc_applied *applied) {                                          \
         ROW *const rows = applied->rows[0];                                                        \
@@ -152,7 +154,7 @@ static inline void floats_update(float *r, const float *e) {
 #define FLOATS(UPDATE) UPDATE(floats, d->k[t], d->part[t]);
 KERNEL(floats, float, sizeof(float), REDCC_SUM, REDCC_FLOAT, 0, FLOATS)
 
-typedef int counts_record; /* a dummy: a record of a count needs no value */
+typedef int counts_record; /* a record of a count has no value; a type is needed */
 static inline void counts_update(int *r, const int *e) {
     (void)e;
     (*r)++;
@@ -186,7 +188,7 @@ static inline void charge_update(double *r, const double *e) {
     }
 KERNEL(charge, double, sizeof(double), REDCC_SUM, REDCC_DOUBLE, 0, CHARGE)
 
-/* Half neighbour lists: each pair is listed once. */
+/* Forces by half neighbour lists: each pair is listed once. */
 typedef struct {
     double c[3];
 } forces_record;
@@ -218,7 +220,7 @@ KERNEL(forces, forces_record, sizeof(forces_record), REDCC_SUM, REDCC_OTHER_TYPE
 
 struct kernel {
     const char *name;
-    size_t rows, row; /* rows: for a grid, cells per side; row: bytes of a row */
+    size_t rows, row; /* rows: number of rows (for a grid, cells per side); row: bytes of a row */
     enum pattern pattern;
     int most_threads; /* 0: no limit */
     void (*sequential)(const struct data *, void *);
@@ -254,7 +256,7 @@ struct variant {
     bool is_auto;
     char *array;
     double wall[AUTO_ROUNDS * MOST_ROUNDS], cpu[AUTO_ROUNDS * MOST_ROUNDS];
-    size_t extra; /* bytes */
+    size_t extra; /* extra memory, bytes */
 };
 
 static double clock_of(clockid_t clock) {

@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# In-order binning on loops with new subscripts in each execution (bench/binning.c), against the sequential loop and
-# LOCALWRITE, which inspects each time. Bits are compared in every round.
-#   ROUNDS=13 KERNELS="doubles-16M ..." (none: all)
+# Compares in-order binning with the sequential loop and with LOCALWRITE, which must inspect each time, on loops with
+# new subscripts in each execution (bench/binning.c). The bits of the results are compared in every round.
+#   ROUNDS=13 KERNELS="doubles-16M ..."   (default: all kernels)
 . bench/common.sh
 read -r -a kernels <<<"${KERNELS:-}"
 cmake --build --preset release --target bench_binning >/dev/null

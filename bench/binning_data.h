@@ -9,22 +9,22 @@
 
 enum { TRIP = 10000000, MILLION = 1 << 20 };
 
-/** The data that a loop reads, different in each set. */
+/** The data that a loop reads; each set of data is different. */
 struct data {
     redcc_int trip;
     size_t rows;
     const int *k;     /* subscripts, or neighbours */
-    const int *start; /* [trip + 1] of the neighbours */
+    const int *start; /* [trip + 1] index in k of each atom's first neighbour */
     const double *value;
     const float *part;
     const double (*x)[3];
-    int side; /* of the particles' grid, in cells */
+    int side; /* side of the particles' grid, in cells */
 };
 
 /** Distributions of subscripts. */
 enum pattern { RANDOM, SORTED, BANDED };
 
-/** Makes TRIP subscripts into `rows` rows, and values, which all sets share. */
+/** Makes TRIP subscripts below `rows`, and values, which all sets share. */
 void make_subscripts(struct data *d, enum pattern pattern, size_t rows);
 
 /** Makes particles at random positions in a grid of side * side * side cells. */

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# examples/by-hand: each loop sequentially, by hand for redcc, and with OpenMP's `reduction` and `atomic`. Prints
-# milliseconds per execution: medians, 10th and 90th percentiles of interleaved rounds. There are two programs. One has
-# OpenMP regions of its own, so OpenMP's library also opens redcc's regions. In the other the runtime's own threads
-# execute them.
+# Times the loops of examples/by-hand: sequential, by hand for redcc's runtime, and with OpenMP's `reduction` and
+# `atomic`. Prints milliseconds per execution: medians, 10th and 90th percentiles of interleaved rounds. There are two
+# programs. In the one with OpenMP regions, OpenMP's threads also execute redcc's loops. In the other, the runtime's
+# own threads execute them.
 #   SIDE=400 ROUNDS=15 THREADS=2
 . bench/common.sh
 SIDE=${SIDE:-400} ROUNDS=${ROUNDS:-15} THREADS=${THREADS:-2}

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Table 1 of the paper: the cache miss rate of the final stage of array expansion (figure 9),
+ * Table 1 of the paper (docs/paper.md): the cache miss rate of the final stage of array expansion
+ * (figure 9), which adds each thread's copy of the array to the array,
  *
  *     (a)  for each element: for each copy: b[i] += copy[t][i]
  *     (b)  for each copy: for each element: b[i] += copy[t][i]
  *
- * for one thread's share of the elements and 1 to 32 copies, by a model of a set-associative cache:
- * lines of 64 bytes, 4 ways, LRU replacement, 32 KiB. `apart` is the distance between copies:
- * either a power of two, with which the lines of all copies fall into one set, or the size of the
- * paper's mesh of 218272 nodes with 3 doubles each, padded to lines.
+ * for one thread's share of the elements and 1 to 32 copies. The model is a set-associative cache
+ * with lines of 64 bytes, 4 ways, LRU replacement and 32 KiB. `apart` is the distance between
+ * copies. It is either a power of two, with which the lines of all copies fall into one set, or the
+ * size of the paper's mesh of 218272 nodes with 3 doubles each, padded to lines.
  *
  * Prints lines: apart,threads,a_percent,b_percent.
  */
@@ -38,7 +39,7 @@ static void access_to(uint64_t address) {
     set[0] = line;
 }
 
-/* b[i] += copy[t][i]; the copies follow the array. */
+/* Simulates b[i] += copy[t][i]; the copies follow the array in memory. */
 static void add(uint64_t apart, int t, int i) {
     const uint64_t b = (uint64_t)i * sizeof(double);
     access_to(b);
@@ -51,7 +52,7 @@ static double percent(void) {
 }
 
 static void print_row(const char *name, uint64_t apart, int threads) {
-    const int share = ELEMENTS; /* per thread; all threads behave alike */
+    const int share = ELEMENTS; /* elements per thread; all threads have the same miss rate */
     clear();
     for (int i = 0; i < share; i++)
         for (int t = 0; t < threads; t++)

@@ -3,21 +3,24 @@
  * Measures the cost of redcc in a program that calls a typical loop once, a few times, or with new
  * subscripts each time. Most of these loops gain little or nothing by running in parallel.
  *
- *   choice LOOP CALLS [CALLS...]     ascending
+ *     choice LOOP CALLS [CALLS...]     ascending
  *
  * prints, for each of CALLS, the seconds of that number of executions from the first one on
  * (without the time between executions) and a hash of the results' bits. LOOP:
  *  - count: 8 M integer keys into 65536 counts; two keys change before each call
- *  - pairs: pairs of points by distance, the bin found by bisection; new points each call
- *  - weights: 20,000 weights into 4096 bins; new subscripts each call
+ *  - pairs: histogram of the distances of pairs of points, the bin found by bisection; new points
+ *    before each call
+ *  - weights: 20,000 weights into 4096 bins; new subscripts before each call
  *  - charge: 2 M particles' charge onto a grid of 512 x 512; the particles move
- *  - columns: y += A x by columns, random pattern of 1 M entries; a new one each call
- *  - force-sorted: triangles of a mesh: forces and a matrix; -shuffled: nodes at random
- *  - springs-sorted: edges of that mesh; -shuffled
+ *  - columns: y += A x by columns, with a random pattern of 1 M entries, new before each call
+ *  - force-sorted: forces and a matrix from the triangles of a mesh; force-shuffled: with the nodes
+ *    and triangles in random order
+ *  - springs-sorted: forces from the edges of that mesh; springs-shuffled
  *  - force-short: the first 4,000 triangles of force-sorted
  *  - springs-short: the first 120,000 edges of springs-sorted
  *  - columns-short: the first 8,000 columns of columns
- *  - gaxpy-sorted: columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
+ *  - gaxpy-sorted: y += A x by columns (CSparse's cs_gaxpy) for a matrix with the pattern of that
+ *    mesh; gaxpy-shuffled
  */
 #include <math.h>
 #include <stdint.h>
@@ -153,7 +156,7 @@ static void draw_all(double *to, int count, double scale) {
         to[i] = scale * real();
 }
 
-/* The nodes' numbers: in order, or a random permutation. */
+/* Returns the nodes' numbers: in order, or a random permutation if `shuffled`. */
 static int *permutation(int shuffled) {
     int *node = malloc(NODES * sizeof *node);
     for (int i = 0; i < NODES; i++)

@@ -1,12 +1,13 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Cost and gain of redcc from the first execution on: the total time of N executions of typical loops
-# (bench/choice.c), most of which are not worth running in parallel. Each is run by `auto`, by each named method, and
-# sequentially. Rounds are interleaved; the sequential program is first in every other round, last in the rest. Each
-# ratio is of one round; the table has their medians, minima and maxima. Results are compared bit for bit. The loops
-# named -short, of 0.1 to 0.3 ms, are parts of others; they need CALLS="400 4000 20000". force and springs resemble
-# the heavy and the light loop of `script/bench methods`; the matrix of force has one block per node. NEIGHBOURS:
-# number of compute-bound processes running throughout, also with the sequential program.
+# (bench/choice.c), most of which are not worth running in parallel. Each loop is run by `auto`, by each named method,
+# and sequentially. The programs take turns in each round; the sequential one is first in every other round and last
+# in the rest. Each ratio is of two runs of the same round; the table has the ratios' medians, minima and maxima.
+# Results are compared bit for bit. The loops named -short take 0.1 to 0.3 ms and are parts of other loops; they need
+# CALLS="400 4000 20000". force and springs resemble the heavy and the light loop of `script/bench methods`; the
+# matrix of force has one block per node. NEIGHBOURS: number of compute-bound processes that run all the time, also
+# beside the sequential program.
 #   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..."
 #   NEIGHBOURS=0
 . bench/common.sh
@@ -32,11 +33,11 @@ for ((i = 0; i < neighbours; i++)); do
 done
 trap '[ ${#busy[@]} -eq 0 ] || kill "${busy[@]}" 2>/dev/null; rm -rf "$work"' EXIT
 
-raw=$work/raw # loop method calls ratio seconds
+raw=$work/raw # columns: loop, method, calls, ratio, seconds of the sequential program and of redcc's
 sequentially() { "$work/sequential" "$loop" "${calls[@]}" >"$work/expected"; }
 by() { # METHOD
   local chosen=(REDCC_METHOD="$1")
-  [ "$1" != auto ] || chosen=(-u REDCC_METHOD) # as users have it
+  [ "$1" != auto ] || chosen=(-u REDCC_METHOD) # unset, as in the default environment
   env "${chosen[@]}" "$work/redcc" "$loop" "${calls[@]}" >"$work/given-$1"
 }
 compare() { # METHOD

@@ -1,13 +1,14 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Processor time of compiling translated files, relative to the original file: without lanes, with lanes in heavy loops,
-# and with lanes in all loops. Each is compiled once per round. Prints medians, and quartiles of the ratios.
+# Processor time of compiling translated files, relative to the original file: without lanes (loops by SIMD vectors),
+# with lanes in heavy loops, and with lanes in all loops. Each file is compiled once per round. Prints medians, and
+# quartiles of the ratios.
 #   ROUNDS=9 CC=gcc FILES="bench/lanes_kernels.c" FLAGS="-O2;-O3 -march=native" script/bench compile
 . bench/common.sh
 compiler=${CC:-gcc}
 csv=$results/compile.csv
 load_note
-seconds() { # COMMAND...: its processor seconds
+seconds() { # COMMAND...: prints its processor seconds
   local TIMEFORMAT='%U %S'
   { time "$@" 2>/dev/null; } 2>&1 | awk '{print $1 + $2}'
 }

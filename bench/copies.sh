@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Many copies of a program at once, and one copy while other processes compute: seconds of the sequential program divided
-# by those of the parallel one, in the default environment. springs is bench/neighbours.c, which has only redcc's parallel
-# loops; fabric also has its own regions. Rounds are interleaved.
+# Runs many copies of a program at once, and one copy while other processes compute. Prints the seconds of the
+# sequential program divided by those of the parallel one, in the default environment. springs is bench/neighbours.c,
+# which has only redcc's parallel loops; fabric also has OpenMP regions of its own. Rounds are interleaved.
 #   ROUNDS=5 COPIES=8 SPINNING=3 STEPS=152 EXECUTIONS=300
 . bench/common.sh
 csv=$results/copies.csv

@@ -1,14 +1,15 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The cost of serial bits over MPI ranks: fabric-mpi with --bits=serial against --bits=any (solved by PETSc), on the large
-# mesh to the same tolerance, and fabric-serial in the same rounds. Block-jacobi is the same preconditioner on both sides.
-# Gauss-seidel is compared with PETSc's sor within each rank, and gamg.
+# The cost of serial bits (the bits of the sequential program) over MPI ranks. Compares fabric-mpi with --bits=serial,
+# with --bits=any (solved by PETSc) and fabric-serial, in the same rounds, on the large mesh to the same tolerance. The
+# preconditioner block-jacobi is the same in both programs. gauss-seidel is compared with PETSc's sor within each rank,
+# and with PETSc's gamg (algebraic multigrid).
 #   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
-#   MORE=1 adds the rounds to those in the file
-# Seconds are wall time of the steps. On a machine with other work they say little about several ranks, which wait for
+#   MORE=1 adds the rounds to those in distributed.csv
+# Seconds are wall time of the steps. On a busy machine they say little about runs over several ranks, which wait for
 # each other. The table has the median, minimum and maximum of the rounds. distributed.csv has one line per run: solver,
-# ranks (0: fabric-serial, without MPI), round, seconds, iterations, the largest distance of a vertex from
-# fabric-serial's, in metres. Runs with --bits=serial must have the bits of fabric-serial.
+# ranks (0: fabric-serial, without MPI), round, seconds, iterations, and the largest distance between a vertex and the
+# same vertex of fabric-serial, in metres. Runs with --bits=serial must have the bits of fabric-serial.
 . bench/common.sh
 if ! command -v mpirun.openmpi >"$work/found" || ! pkg-config --exists PETSc; then
   echo "distributed: not measured: it needs Open MPI and PETSc, which script/distributed installs"
@@ -25,7 +26,7 @@ serial=$build/examples/fabric/fabric-serial ranked=$build/examples/fabric-mpi/fa
 csv=$results/distributed.csv
 load_note
 
-# start PROGRAM PRECONDITIONER PETSC_OPTIONS COMMAND...: a run in $work/run
+# start PROGRAM PRECONDITIONER PETSC_OPTIONS COMMAND...: runs the scene in $work/run
 start() {
   local program=$1 kind=$2 chosen=$3
   shift 3
@@ -35,7 +36,7 @@ start() {
 }
 launch() { echo "mpirun.openmpi --oversubscribe --bind-to none -n $1 -x PETSC_OPTIONS"; }
 
-# measure ROUND VARIANT RANKS KIND OPTIONS: one line of the file; RANKS 0 is fabric-serial
+# measure ROUND VARIANT RANKS KIND OPTIONS: adds one line to distributed.csv; RANKS 0 is fabric-serial
 measure() {
   local round=$1 variant=$2 ranks=$3 kind=$4 chosen=$5 program=$serial command=() distance=0
   if [ "$ranks" -gt 0 ]; then
@@ -75,9 +76,9 @@ for round in $(seq $((done_before + 1)) $((done_before + rounds))); do
   done
 done
 
-# column_of VARIANT RANKS NUMBER: this column of all rounds
+# column_of VARIANT RANKS NUMBER: prints column NUMBER of all rounds
 column_of() { awk -F, -v v="$1" -v r="$2" -v c="$3" '$1 == v && $2 == r {print $c}' "$csv"; }
-# against VARIANT RANKS VARIANT RANKS COLUMN: ratios of the first to the second, for each round that has both
+# against VARIANT RANKS VARIANT RANKS COLUMN: prints the ratio of the first to the second for each round that has both
 against() {
   awk -F, -v v="$1" -v r="$2" -v w="$3" -v q="$4" -v c="$5" '$1 == v && $2 == r {one[$3] = $c}
     $1 == w && $2 == q {other[$3] = $c} END {for (n in one) if (n in other) print one[n] / other[n]}' "$csv"

@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The cost of each effect of the cloth simulator, added one after the other, in instructions per step. callgrind counts
-# these, so other programs do not disturb them. Needs valgrind.
+# The cost of each effect of the cloth simulator, in instructions per step: effects are added one after the other.
+# Instructions are counted by valgrind's callgrind, so other programs do not disturb the figures.
 #   STEPS=4
 . bench/common.sh
 command -v valgrind >/dev/null || { echo "effects: valgrind is not installed: nothing measured"; exit 0; }
@@ -11,8 +11,8 @@ steps=${STEPS:-4}
 csv=$results/effects.csv
 echo "added,blocks,iterations,forces,collisions,solve,update,product" >"$csv"
 
-# The first run: block-Jacobi, because each of its iterations is one product with the matrix, and a sheet of 900
-# particles on which nothing acts, with a corner above the ball.
+# The first run has a sheet of 900 particles on which nothing acts, with a corner above the ball. The preconditioner
+# is block-Jacobi, because each iteration with it is one product with the matrix.
 none=(--set colliders='[]' --set self_collision.gap=0 --set mesh.origin='[0.2, 0, 0.715]'
   --set surroundings.gravity='[0, 0, 0]' --set surroundings.drag=0
   --set material.stretch=0 --set material.shear=0 --set material.bend=0
@@ -21,13 +21,13 @@ none=(--set colliders='[]' --set self_collision.gap=0 --set mesh.origin='[0.2, 0
 ball='{kind: sphere, position: [0, 0, 0.4], radius: 0.3, friction: 0.3, gap: 0.01}'
 far='{kind: sphere, position: [90, 0, 0.4], radius: 0.3, friction: 0.3, gap: 0.01}'
 
-# instructions FUNCTION FILE: instructions in the function, including called functions; 0: not called
+# instructions FUNCTION FILE: prints the instructions in the function, including called functions; 0 if not called
 instructions() {
   callgrind_annotate --inclusive=yes --threshold=100 "$2" 2>/dev/null | tr -d , |
     awk -v f=":$1 " 'index($0, f) {print $1; found = 1; exit} END {if (!found) print 0}'
 }
 
-# measure NAME OPTION... : one line of the table
+# measure NAME OPTION... : prints one line of the table
 measure() {
   local name=$1 file=$work/callgrind blocks iterations part values=()
   shift

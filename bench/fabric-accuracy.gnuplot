@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The opening figure of docs/accuracy.md, from the saved table of bench/fabric-accuracy.sh: error against
-# CPU time without contact and with it. gnuplot -e "table = 'CSV'; picture = 'PNG'" bench/fabric-accuracy.gnuplot
+# Draws the opening figure of docs/accuracy.md from the saved table of bench/fabric-accuracy.sh: error against CPU
+# time, without contact and with it. gnuplot -e "table = 'CSV'; picture = 'PNG'" bench/fabric-accuracy.gnuplot
 set terminal pngcairo size 1200,560 font 'sans,13'
 set output picture
 set datafile separator ','

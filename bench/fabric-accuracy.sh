@@ -1,11 +1,11 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What accuracy costs in time: fabric's own experiments (docs/accuracy.md says what they show), all of them for `flap`;
-# errors against time for the paper's scenes and the flag; the orders of reduction by the parallel program; the time after
-# which chaos makes accuracy useless; whole runs by preconditioner; advice for 10, 1 and 0.1 mm. CPU seconds of one core,
-# the least of REPEAT; whole runs interleaved. PICTURES=docs/pictures replaces that page's pictures. The direct solution
-# is meant to be measured with OpenBLAS: a note says if it is missing. With 2602 vertices it takes hours; VERTICES=300
-# BOUNDARY=60 MOST=128 is faster.
+# What accuracy costs in time: fabric's own experiments, explained in docs/accuracy.md. For the scene `flap` all of
+# them; for the paper's scenes and the flag, errors against time; for the parallel program, the orders of reduction.
+# Also the time after which chaos makes accuracy useless, whole runs by preconditioner, and advice for errors of 10, 1
+# and 0.1 mm. Times are CPU seconds of one core, the least of REPEAT runs; whole runs are interleaved.
+# PICTURES=docs/pictures replaces that page's pictures. The direct solution should be measured with OpenBLAS: a note
+# says if that is missing. All this takes hours with 2602 vertices; VERTICES=300 BOUNDARY=60 MOST=128 is faster.
 #   REPEAT=3 ROUNDS=3 PICTURES= VERTICES=2602 BOUNDARY=220 MOST=64
 #   KEPT=1 PICTURES=docs/pictures script/bench fabric-accuracy    draws the opening figure anew from the kept table
 . bench/common.sh
@@ -30,13 +30,13 @@ use_openblas
 
 mesh=(--set mesh.boundary="${BOUNDARY:-220}" --set mesh.vertices="${VERTICES:-2602}")
 failed=0
-study() { # study FOLDER OPTION...: a table whose reference is not good enough is reported, and kept
+study() { # FOLDER OPTION...: runs an experiment; a table whose reference is not exact enough is reported, but stays
   "$serial" accuracy "${@:2}" -o "$work/$1" --most-steps "$most" --repeat "$repeat" 2>"$work/log" >/dev/null ||
     { echo "$1: failed"; grep '^accuracy:' "$work/log" || tail -n 3 "$work/log"; failed=1; }
 }
 study flap all "${mesh[@]}"
 for scene in hanging tablecloth flag; do
-  steps=40 # of 20 ms; on the table differences grow by themselves after 0.4 s
+  steps=40 # of 20 ms each; for `tablecloth` only 20, because chaos amplifies differences after 0.4 s
   [ "$scene" != tablecloth ] || steps=20
   study "$scene" dt --scene "$scene" "${mesh[@]}" --set time.step=0.02 --set time.steps=$steps
 done
@@ -50,7 +50,7 @@ done
 awk 'FNR > 1 || NR == 1' "$work"/{flap,hanging,tablecloth,flag}/dt.csv >"$csv"
 "$parallel" accuracy sum --scene hanging -o "$work/sum" --repeat "$repeat" 2>"$work/sums" >/dev/null
 
-# A row for each scene and integrator: millimetres and milliseconds by number of steps.
+# Prints a row for each scene and integrator: error in millimetres and time in milliseconds by number of steps.
 awk -F, 'NR > 1 {
     row = $2 " | " $4
     if (!(row in text)) order[++rows] = row
@@ -76,7 +76,7 @@ done
 awk -F, 'NR > 1 {k = $1 " " $2 " " $3; if (!(k in least) || $5 < least[k]) least[k] = $5}
   END {for (k in least) printf "%s: %.2f s\n", k, least[k]}' "$whole" | sort
 
-# For each error: the advised settings and their cost.
+# Prints for each error the advised settings and their cost.
 echo "scene | error | settings | time"
 for scene in flap hanging tablecloth; do
   for error in 10mm 1mm 0.1mm; do

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The paper's large mesh (218272 vertices) with each preconditioner, for several step lengths and two tolerances, and once
-# with the direct solver, on one core. Columns: seconds per step (without making the mesh), iterations per step, steps
-# repeated at half the length, peak memory. A run that takes longer than LIMIT seconds is stopped; its line has no
-# figures. The direct solver runs one step, of the first length, with OpenBLAS if it is installed.
+# Runs the paper's large mesh (218272 vertices) on one core with each preconditioner, for several step lengths and two
+# tolerances, and once with the direct solver. Columns: seconds per step (without making the mesh), iterations per step,
+# number of steps repeated at half the length, and peak memory. A run that takes longer than LIMIT seconds is stopped,
+# and its line has no figures. The direct solver runs one step of the first length, with OpenBLAS if it is installed.
 #   STEPS=2 LIMIT=400 STEP_LENGTHS="0.001 0.01 0.033" TOLERANCES="1e-2 1e-6"
 . bench/common.sh
 steps=${STEPS:-2}
@@ -15,7 +15,7 @@ csv=$results/fabric-large.csv
 load_note
 use_openblas
 
-# run LENGTH TOLERANCE NAME SETTING...: one line of the table
+# run LENGTH TOLERANCE NAME SETTING...: adds one line to the table
 run() {
   local length=$1 tolerance=$2 name=$3 figures=',,,'
   shift 3
@@ -36,7 +36,7 @@ for length in "${lengths[@]}"; do
     done
   done
 done
-# One factorisation a step, whatever its length.
+# A direct solution is one factorisation per step, whatever the step's length, so one step suffices.
 steps=1
 run "${lengths[0]}" "${tolerances[0]}" direct --set solution.method=direct
 sed 's/,,/, ,/g; s/,,/, ,/g' "$csv" | column -s, -t

@@ -1,10 +1,11 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Speed-up of whole runs of the cloth simulator by number of threads, for the paper's scenes, the large mesh and scenes of
-# the gallery: seconds of all steps, against the sequential program in the same round. The last state of each run must
-# have the bits of the sequential one.
+# Speed-up of whole runs of the cloth simulator by number of threads, for the paper's scenes, the large mesh and scenes
+# of the gallery. Compares the seconds of all steps with those of the sequential program in the same round. The last
+# state of each run must have the bits of the sequential program.
 #   ROUNDS=3 THREADS="1 2 4 8 16" SCENES="tablecloth hanging sheet218k ball curtain scarf" STEPS=N
-# THREADS: by default powers of two up to the number of cores. STEPS: maximum steps of each scene.
+# THREADS: by default powers of two up to the number of cores. STEPS: steps of each scene (default: all; sheet218k:
+# 5).
 . bench/common.sh
 rounds=${ROUNDS:-3}
 threads=${THREADS:-$(for ((t = 1; t <= $(nproc); t *= 2)); do echo "$t"; done)}
@@ -14,7 +15,7 @@ parallel=$build/examples/fabric/fabric
 csv=$results/fabric-threads.csv
 load_note
 
-# run VARIANT PROGRAM SCENE: seconds of its steps
+# run VARIANT PROGRAM SCENE: prints the seconds of its steps
 run() {
   local steps=()
   [ "$3" != sheet218k ] || steps=(--steps "${STEPS:-5}")

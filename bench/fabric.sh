@@ -1,8 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The cloth simulator against its serial build (same sources, same optimisation): force loops of the
-# large mesh, and the paper's scenes as a whole. Rounds are interleaved; ratios are of one round.
-#   ROUNDS=5 STEPS=30   (steps of the large mesh; auto times parts of the loops alone in the second and fourth)
+# Compares the cloth simulator with its serial build (same sources, same optimisation): the force loops of the large
+# mesh, and whole runs of the paper's scenes. The programs take turns in each round; each ratio is of two runs of the
+# same round.
+#   ROUNDS=5 STEPS=30   (steps of the large mesh; in the second and fourth, `auto` times parts of the loops)
 # The scenes, of a second each, have three times as many rounds.
 . bench/common.sh
 rounds=${ROUNDS:-5}
@@ -17,7 +18,7 @@ load_note
 
 force_seconds='[.effects[] | select(.name == "stretch" or .name == "shear" or .name == "bend" or .name == "drag") | .seconds] | add'
 
-# run EXPERIMENT VARIANT ROUND JQ-FILTER COMMAND... : one run, one line of the table
+# run EXPERIMENT VARIANT ROUND JQ-FILTER COMMAND... : makes a run and adds one line to the table
 run() {
   local experiment=$1 variant=$2 round=$3 filter=$4
   shift 4
@@ -25,7 +26,7 @@ run() {
   echo "$experiment,$variant,$round,$(jq "$filter" "$work/$variant/summary.json")" >>"$csv"
 }
 
-# ratios EXPERIMENT VARIANT: seconds of the serial build divided by the variant's, round by round
+# ratios EXPERIMENT VARIANT: prints the seconds of the serial build divided by the variant's, round by round
 ratios() {
   awk -F, -v e="$1" -v v="$2" '$1 == e && $2 == "serial" {s[$3] = $4} $1 == e && $2 == v {p[$3] = $4}
     END {for (r in p) if (p[r] > 0) print s[r] / p[r]}' "$csv"
@@ -36,9 +37,9 @@ line() {
     "$(ratios "$1" "$2" | median)" "$(ratios "$1" "$2" | minimum)" "$(ratios "$1" "$2" | maximum)"
 }
 
-# The upper bound: the sequential program on every core at once, each with a separate mesh. Its slowdown is due to memory
-# and to other users of the machine; no parallel program can avoid it.
-run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest program's seconds over their number
+# An upper bound of the speed-up: the sequential program runs on every core at once, each copy with a separate mesh.
+# Memory and other users of the machine slow the copies down, and no parallel program can avoid that.
+run_crowd() { # EXPERIMENT ROUND ARGUMENTS...: adds the slowest program's seconds divided by the number of programs
   local experiment=$1 round=$2 core slowest
   shift 2
   for core in $(seq "$threads"); do
@@ -49,8 +50,7 @@ run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest program's s
   echo "$experiment,crowd,$round,$(jq -n "$slowest / $threads")" >>"$csv"
 }
 
-# Only the force loops are timed. The short step shortens the rest of the run, which is mostly the conjugate gradient
-# method.
+# Only the force loops are timed. A short time step shortens the rest of the run, which is mostly conjugate gradients.
 large=(run sheet218k --steps "$steps" --set time.step=0.0002)
 for round in $(seq "$rounds"); do
   run forces-218k serial "$round" "$force_seconds" "$serial" "${large[@]}"
@@ -59,7 +59,7 @@ for round in $(seq "$rounds"); do
     env OMP_NUM_THREADS="$threads" "$parallel" "${large[@]}"
   run_crowd forces-218k "$round" "${large[@]}"
 done
-# One step: one inspection of each loop, compared with one sequential execution of it.
+# A run of one step inspects each loop once; it is compared with one sequential execution of the loop.
 one=(run sheet218k --steps 1 --set time.step=0.0002)
 for round in 1 2 3; do
   run one-step serial "$round" "$force_seconds" "$serial" "${one[@]}"

@@ -2,12 +2,12 @@
 /**
  * Times y = A*x + y by CSparse's cs_gaxpy on a large sparse matrix.
  *
- *   gaxpy SHAPE SIDE CALLS [SHIFT]
+ *     gaxpy SHAPE SIDE CALLS [SHIFT]
  *
- * prints the median of the seconds of a call, the seconds of the first call, which inspects, and a
- * hash of the bits of x and y. The matrix has SIDE * SIDE rows and columns and ten entries per
- * column. With SHIFT, y begins SHIFT elements after x in the same array, so that they overlap.
- * SHAPE:
+ * prints the median of the seconds of a call, the seconds of the first call, in which redcc
+ * inspects the subscripts, and a hash of the bits of x and y. The matrix has SIDE * SIDE rows and
+ * columns and ten entries per column. With SHIFT, y begins SHIFT elements after x in the same
+ * array, so that they overlap. SHAPE:
  *  - banded: the entries of a column are within 1000 rows of the diagonal
  *  - mesh: a grid of SIDE x SIDE points in the order of its rows
  *  - shuffled: the same points numbered at random
@@ -40,7 +40,8 @@ static int by_row(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/* The grid's point `column`, its eight neighbours, and the point two columns to the right. */
+/* Returns a row of the column: the grid's point `column` itself, one of its eight neighbours, or
+ * the point two columns to the right, by `entry`. */
 static csi neighbour(csi column, int entry) {
     static const int right[PER_COLUMN] = {0, -1, 1, 0, 0, -1, 1, -1, 1, 2};
     static const int down[PER_COLUMN] = {0, 0, 0, -1, 1, -1, -1, 1, 1, 0};
@@ -59,7 +60,8 @@ static void fill_column(const char *shape, const csi *number, csi column, csi *r
     qsort(rows, PER_COLUMN, sizeof *rows, by_row);
 }
 
-/* number[p] is the row of the grid's point p: p itself, or a random permutation (Fisher-Yates). */
+/* Returns the row number[p] of each point p of the grid: p itself, or a random permutation
+ * (Fisher-Yates). */
 static csi *numbering(int shuffled) {
     csi *number = malloc((size_t)row_count * sizeof *number);
     for (csi p = 0; p < row_count; p++)

@@ -1,10 +1,10 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# CSparse's unchanged cs_gaxpy, compiled by gcc and by redcc-cc: y = A*x + y for a matrix of a million rows and ten
-# million entries, of four shapes (bench/gaxpy.c). Rounds are interleaved; ratios are of one round. The source comes from
-# Debian (build/packages; the first time by network). By default unmodified subscripts are write-tracked from the 14th
-# call on and no longer read (docs/decisions/0007); the median of 41 calls includes that. For comparison also with
-# REDCC_WATCH=off.
+# Times CSparse's unchanged cs_gaxpy, y = A*x + y, compiled by gcc and by redcc-cc. The matrix has a million rows and
+# ten million entries, in four shapes (bench/gaxpy.c). The programs take turns in each round; each ratio is of two runs
+# of the same round. The source comes from Debian (build/packages; the first time by network). By default, from the 14th
+# call on, the runtime learns of changed subscripts by write protection of their pages and no longer reads them
+# (docs/decisions/0007); the median of 41 calls includes that. REDCC_WATCH=off is measured for comparison.
 #   ROUNDS=5 CALLS=41 SIDE=1000 SHAPES="banded mesh shuffled random"
 . bench/common.sh
 rounds=${ROUNDS:-5}
@@ -23,7 +23,7 @@ packages=${PACKAGES_FOLDER:-$PWD/build/packages}
 csparse=$packages/sources/suitesparse/CSparse
 load_note
 
-# build_gaxpy NAME COMPILER: the benchmark; cs_gaxpy.c is compiled by that compiler, all else by gcc
+# build_gaxpy NAME COMPILER: builds the benchmark; COMPILER compiles cs_gaxpy.c, gcc all other files
 flags=(-O2 -I"$csparse/Include")
 build_gaxpy() {
   "$2" "${flags[@]}" -c "$csparse/Source/cs_gaxpy.c" -o "$work/gaxpy-$1.o"
@@ -35,7 +35,7 @@ gcc "${flags[@]}" -c "$csparse/Source/cs_malloc.c" -o "$work/malloc.o"
 build_gaxpy plain gcc
 build_gaxpy redcc "$prefix/bin/redcc-cc"
 
-# run SHAPE VARIANT ROUND COMMAND...: one line of the table
+# run SHAPE VARIANT ROUND COMMAND...: adds one line to the table
 run() {
   local shape=$1 variant=$2 round=$3 median first bits method=-
   shift 3
@@ -44,7 +44,8 @@ run() {
   [ ! -s "$work/report" ] || method=$(jq -r '.loops[0].method' "$work/report")
   echo "$shape,$variant,$round,$median,$first,$bits,$method" >>"$csv"
 }
-# The upper bound: gcc's program on every core at once, each with a separate matrix; the slowest counts.
+# An upper bound of the speed-up: gcc's program runs on every core at once, each copy with a separate matrix, and the
+# slowest copy counts.
 run_crowd() { # run_crowd SHAPE ROUND
   local core
   for core in $(seq "$(nproc)"); do

@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Instructions of the loops' parallel form, counted by valgrind's callgrind, so that other programs do not disturb them.
-# Also the number of lines of each loop's generated text, including the user's loop but not the file's head; one is
-# fabric's loop over hinges.
+# Counts the instructions of the loops' parallel form by valgrind's callgrind, so that other programs do not disturb the
+# figures. Also counts the lines of each loop's generated text, including the user's loop but not the file's head. One
+# of the loops is fabric's over hinges.
 . bench/common.sh
 csv=$results/generated.csv
 command -v valgrind >/dev/null || { echo "generated: no valgrind, nothing is measured"; exit 0; }
@@ -10,7 +10,7 @@ cp bench/generated/kernels.c "$work/kernels.c"
 (cd "$work" && "$build/tool/redcc" kernels.c -o short.c 2>/dev/null)
 kernels=(springs histogram columns leaving)
 
-# instructions KERNEL: those of the file's functions that the runtime called
+# instructions KERNEL: prints the instructions of the file's functions that the runtime called
 instructions() {
   OMP_NUM_THREADS=2 REDCC_METHOD=localwrite valgrind --tool=callgrind \
     --callgrind-out-file="$work/counts" "$work/short" "$1" >"$work/out" 2>/dev/null

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The effect of lanes and prefetches on executors, by kernel (lanes_kernels.c), order of the data
- * and threads. Each round executes the original loop, the translated one in each variant, and as
- * the runtime decides. Each is run twice in a row and the second run is timed; the bits are
- * compared each time.
+ * Measures the effect of lanes (several iterations computed at once by vector instructions) and of
+ * prefetches on the parallel loops, by kernel (lanes_kernels.c), order of the data and number of
+ * threads. Each round executes the original loop, and the translated one in each variant and as the
+ * runtime decides. Each is run twice in a row and the second run is timed; the bits are compared
+ * each time.
  *
- *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [KERNEL]]]
+ *     OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [KERNEL]]]
  *
- * The method is that of REDCC_METHOD; without it, as auto would choose, LOCALWRITE with owners by
- * index on sorted data and by the access graph on shuffled data. SIDE: of the square mesh, in
- * nodes. KERNEL: only this one. Prints lines: kernel,order,threads,serial_seconds, then for each
- * variant speed-up,low,high: median, 5th and 95th percentile of the rounds' speed-ups over the
- * original loop.
+ * The method is that of REDCC_METHOD. Without it, it is the one that auto would choose: LOCALWRITE
+ * with owners by index on sorted data, and by the access graph on shuffled data. SIDE is the number
+ * of nodes along each side of the square mesh. With KERNEL only that kernel is measured. Prints
+ * lines: kernel,order,threads,serial_seconds, then for each variant speed-up,low,high: median, 5th
+ * and 95th percentile of the rounds' speed-ups over the original loop.
  */
 #include "lanes_data.h"
 

@@ -1,11 +1,12 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Lanes and prefetches in the executors of LOCALWRITE: the original loops (bench/lanes_kernels.c) against the translated
-# ones with neither, with each, with both, and with the runtime's choice. They are compiled for this machine and with -O2
-# only; bits are compared in every round. Below the table: the loops without lanes, and why.
+# Times lanes (loops by SIMD vectors) and prefetches in LOCALWRITE's parallel form of loops: the original loops
+# (bench/lanes_kernels.c) against the translated ones with neither, with each, with both, and with the runtime's choice.
+# They are compiled for this machine, and for any with -O2 alone. Bits are compared in every round. Below the table are
+# the loops without lanes, and the reasons.
 #   ROUNDS=15 SIDE=467 THREADS="1 2" CC=gcc KERNEL=membrane ARCH=native LANES=4 (auto: of heavy loops alone)
-# For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only builds the programs in that folder; they
-# need only the C library and libgomp. Run each by
+# For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only builds the programs, in that folder.
+# They need only the C library and libgomp. Run each there by
 #   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive folder/lanes-O2 ROUNDS SIDE KERNEL
 # All arguments are optional: the defaults are 15 rounds, a mesh of 467 x 467 and all kernels.
 . bench/common.sh

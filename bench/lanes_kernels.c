@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loops of bench/lanes as in a user's program: translated by redcc, and compiled unchanged for
- * comparison. */
+/* The loops of bench/lanes as in a user's program. They are translated by redcc, and also compiled
+ * unchanged for comparison. */
 #include <math.h>
 
 #include "lanes_kernels.h"
@@ -9,14 +9,15 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The derivative of a triangle's position by u or v: the sum of share[p] x[p] over its corners. */
+/* Computes the derivative w of a triangle's position by u or v: the sum of share[p] x[p] over its
+ * corners. */
 static void along(const double (*x)[3], int i, int j, int k, const double share[3], double w[3]) {
     for (int c = 0; c < 3; c++)
         w[c] = share[0] * x[i][c] + share[1] * x[j][c] + share[2] * x[k][c];
 }
 
-/* Stretch and shear with damping: conditions C of D. Baraff, A. Witkin (1998), forces -k C dC/dx
- * and -d C' dC/dx. */
+/* Stretch and shear with damping: forces -k C dC/dx - d C' dC/dx of conditions C, with their rates
+ * C', stiffness k and damping d (Baraff and Witkin 1998, section 4). */
 static void compute_force(const double (*x)[3], const double (*v)[3], int i, int j, int k,
                           const double u_share[3], const double v_share[3], double area,
                           double f[3][3]) {
@@ -39,7 +40,8 @@ static void compute_force(const double (*x)[3], const double (*v)[3], int i, int
                                shear * (u_share[p] * wv[c] + v_share[p] * wu[c]));
 }
 
-/* The derivatives of these forces by the corners' positions and velocities, in an implicit step. */
+/* Computes the derivatives of compute_force's forces by the corners' positions and velocities, in
+ * an implicit step. */
 static void compute_derivatives(const double (*x)[3], int i, int j, int k, const double u_share[3],
                                 const double v_share[3], double area, double df[3][3][3][3]) {
     double wu[3], wv[3], nu[3], nv[3];
@@ -93,7 +95,8 @@ void cloth(int count, const struct cloth_element *restrict element, const double
     }
 }
 
-/* One strain of a triangle, along u or v; |sum of weight[a] x[a]| is 1 at rest. */
+/* Adds the forces f of one strain of a triangle, along u or v, and their derivatives df. |sum of
+ * weight[a] x[a]| is 1 at rest. */
 static void strain(const double (*x)[3], int i, int j, int k, const double weight[3], double area,
                    double f[3][3], double df[6][3][3]) {
     double w[3], n[3];
@@ -158,7 +161,7 @@ static void float_strain(const float (*x)[3], int i, int j, int k, const double 
             f[p][c] -= 40.0f * excess * wide * of[p] * n[c];
 }
 
-/* Only the forces, in single precision, of elements in double. */
+/* Only the forces of the membrane, in single precision from elements in double precision. */
 void float_membrane(int count, const struct element *restrict element, const float (*restrict x)[3],
                     float (*b)[3]) {
     for (int t = 0; t < count; t++) {
@@ -174,7 +177,7 @@ void float_membrane(int count, const struct element *restrict element, const flo
     }
 }
 
-/* Contact forces between pairs of particles, most of which do not touch. */
+/* Contact forces between pairs of particles; most pairs do not touch. */
 void contacts(int count, const int (*pair)[2], const double (*x)[3], const double (*v)[3],
               const double *radius, double (*force)[3]) {
     for (int t = 0; t < count; t++) {
@@ -199,7 +202,7 @@ void contacts(int count, const int (*pair)[2], const double (*x)[3], const doubl
     }
 }
 
-/* Computes the contact force between two balls; returns whether they touch. */
+/* Computes the contact force between two balls. Returns 1 if they touch, 0 otherwise. */
 static int contact(const double (*x)[3], const double *radius, int i, int j, double force[3]) {
     double d[3];
     for (int c = 0; c < 3; c++)
@@ -217,7 +220,7 @@ static int contact(const double (*x)[3], const double *radius, int i, int j, dou
     return 1;
 }
 
-/* Contact forces by a function that returns whether there is a contact. */
+/* Contact forces, computed by a function that returns whether there is a contact. */
 void touching(int count, const int (*pair)[2], const double (*x)[3], const double *radius,
               double (*force)[3]) {
     for (int t = 0; t < count; t++) {
@@ -267,7 +270,7 @@ void springs(int count, const int (*edge)[2], const double *rest, const double (
     }
 }
 
-/* The index of an entry in a row of a sparse matrix, by bisection. */
+/* Returns the index of an entry in a row of a sparse matrix, found by bisection. */
 static int place_of(const int *start, const int *column, int row, int wanted) {
     int low = start[row], high = start[row + 1] - 1;
     while (low < high) {
@@ -322,7 +325,7 @@ void tetrahedra(int count, const int (*corner)[4], const double (*x)[3], const i
     }
 }
 
-/* The product with a symmetric matrix whose upper half is stored. */
+/* The product with a symmetric matrix that stores its upper half. */
 void half_product(int rows, const int *start, const int *column, const double *value,
                   const double *x, double *y) {
     for (int i = 0; i < rows; i++)

@@ -3,7 +3,7 @@
 #define BENCH_LANES_KERNELS_H
 
 /** A triangle of a cloth: its corners, the indices of the matrix blocks ii ij ik jj jk kk, and the
- *  weights of the corners' positions in the derivatives by u and v. */
+ *  weights of the corners' positions in the derivatives by the material coordinates u and v. */
 struct element {
     int vertex[3];
     int block[6];
@@ -11,7 +11,8 @@ struct element {
     double area;
 };
 
-/** The same with all blocks of the matrix stored: the block of each pair of corners. */
+/** Like struct element, but for a matrix that stores all blocks: entry[p][q] is the block of
+ *  corners p and q. */
 struct cloth_element {
     int vertex[3];
     int entry[3][3];

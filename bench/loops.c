@@ -1,29 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Compares the runtime's methods with hand-written alternatives, on two loops in redcc's generated
- * form over a mesh of the paper's size (217k nodes, 434k triangles):
- *   heavy  over triangles: each adds 9 doubles to b and 81 to a block matrix
- *   light  over edges: each adds 6 doubles to b
+ * form. The mesh has the size of the paper's (217k nodes, 434k triangles; docs/paper.md):
+ *    heavy  over triangles: each adds 9 doubles to b and 81 to a block matrix
+ *    light  over edges: each adds 6 doubles to b
  *
- *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
+ *    REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
  * First come WARM seconds of executions (default 2, so that `auto` ends its trials). Then come at
  * least 9 rounds, for twice that time. In a round each variant is executed twice in a row and the
- * second execution is timed, so that none starts with the caches, or the sleeping threads, that
- * another left. Then come 9 rounds with an inspection each. Prints lines
+ * second execution is timed, so that no variant starts with the caches, or the sleeping threads,
+ * that another left. Then come 9 executions with an inspection each. Prints lines
  *
- *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
- *   inspection_of_serial,extra_percent,replication,modelled
+ *    loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
+ *    inspection_of_serial,extra_percent,replication,modelled
  *
- * seconds are medians; speed_up, lowest and highest are the median, minimum and maximum of the
- * rounds' speed-ups (with many rounds, the 5th and 95th percentile); inspection_of_serial is the
- * time of an inspection in executions of the sequential loop; extra_percent is memory relative to
- * the reduction arrays; modelled is the number of iterations divided by the makespan of the
- * schedule, including waits (length.h). With `others`, also prints lines for OpenMP's atomics, its
- * reduction of array sections (which needs stacks as large as the arrays: ulimit -s,
- * OMP_STACKSIZE), array expansion written by hand, and `unmerged`, an upper bound on this machine:
- * each thread adds an equal share of the iterations to a separate array. WARM 0: one execution
- * only, for the model at many threads.
+ * seconds are medians. speed_up, lowest and highest are the median, minimum and maximum of the
+ * rounds' speed-ups (from 20 rounds on, the 5th and 95th percentile). inspection_of_serial is the
+ * time of an inspection divided by that of the sequential loop. extra_percent is the extra memory
+ * relative to the reduction arrays. replication is the number of iterations executed, including
+ * those that several threads repeat, per iteration of the loop. modelled is the number of
+ * iterations divided by the makespan of the schedule, including waits (runtime/src/plan/length.h).
+ *
+ * With `others`, also prints lines for OpenMP's atomics, its reduction of array sections (which
+ * needs stacks as large as the arrays: ulimit -s, OMP_STACKSIZE), array expansion written by hand,
+ * and `unmerged`, an upper bound on this machine: each thread adds an equal share of the iterations
+ * to a separate array. WARM 0: one execution only, for the model at many threads.
  */
 #include "loop.h"
 
@@ -73,7 +75,7 @@ static int ascending(const void *p, const void *q) {
     return *(const int *)p - *(const int *)q;
 }
 
-/* Block (i, j) of the matrix is a[find(i, j)]. */
+/* Returns the index of block (i, j) of the matrix in `a`. */
 static int find(int i, int j) {
     for (int k = row_start[i]; k < row_start[i + 1]; k++)
         if (column[k] == j)
@@ -142,7 +144,7 @@ static void make_mesh(int shuffled) {
     free(order);
 }
 
-/* Springs along the triangle's edges, with their 3 x 3 Jacobians: f [3][3], k [3][9]. */
+/* Forces f of springs along the edges of triangle t, and their 3 x 3 Jacobians k, row by row. */
 static inline void element(int t, double f[3][3], double k[3][9]) {
     for (int e = 0; e < 3; e++) {
         const double *p = x[triangle[t][e]], *q = x[triangle[t][(e + 1) % 3]];
@@ -267,7 +269,7 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
     if (redcc_leave(&call))                                                                        \
     return 1
 
-static redcc_loop *described; /* the loop executed last */
+static redcc_loop *described; /* descriptor of the loop executed last */
 
 enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, BENCHED };
 
@@ -281,7 +283,8 @@ enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, BENCH
         BODY(t, ATOMICALLY);                                                                       \
     }
 
-/* A private copy for each thread except the first; if MERGED, the copies are added by blocks. */
+/* Array expansion: every thread except the first adds to a private copy. If MERGED, the copies are
+ * then added to the arrays, each thread adding a share of the elements. */
 #define BY_EXPANSION(trip, BODY, WITH_A, MERGED)                                                   \
     const size_t doubles = 3 * (size_t)NODES + (WITH_A ? 9 * (size_t)BLOCKS : 0);                  \
     static double **copy;                                                                          \
@@ -316,7 +319,8 @@ static void sequentially_heavy(void) {
     }
 }
 
-/* `key` represents a pointer on which the subscripts depend: changing it forces an inspection. */
+/* `key` is in place of a pointer on which the subscripts depend: changing it forces an inspection.
+ * Returns 0 if the loop was executed sequentially, otherwise 1. */
 static int run_heavy(redcc_word key, enum bench_variant variant) {
     switch (variant) {
     case SERIAL:
@@ -436,8 +440,8 @@ static struct spread ratios(const double *above, const double *below, int count)
     return spread_of(ratio, count);
 }
 
-/* Times rounds of the variants before number `end` for `most` seconds; returns the number of
- * rounds. */
+/* Times rounds of the variants below `end` for `most` seconds, but at least ROUNDS and at most
+ * MOST_ROUNDS rounds. Returns the number of rounds. */
 static int time_rounds(double taken[BENCHED][MOST_ROUNDS], int end, double most) {
     const double begin = omp_get_wtime();
     int round = 0;
@@ -467,7 +471,7 @@ int main(int count, char **arguments) {
     do
         seconds(1, REDCC);
     while (omp_get_wtime() - begin < warm);
-    const struct loop_state *state = described->state; /* NULL: never executed in parallel */
+    const struct loop_state *state = described->state; /* NULL if never executed in parallel */
     struct statistics kept = {0};
     if (state)
         memcpy(&kept, &state->reported.statistics, sizeof kept);

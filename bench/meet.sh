@@ -1,10 +1,10 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Loops whose iterations update common elements (bench/meet/*.c): compiled unchanged by redcc-cc, with two threads and
-# with one, and parallelised by hand with two, against the serial build. Measures the total time of N calls from the
-# first one on. The programs of a round run one after the other, in the reverse order in every other round; each ratio
-# is of one round, and the table has their medians, lowest and highest. of_hand: the time by hand over redcc's.
-# Results are compared bit for bit.
+# Times loops whose iterations update common elements (bench/meet/*.c): compiled unchanged by redcc-cc, with two
+# threads and with one, and parallelised by hand with two, against the serial build. Measures the total time of N
+# calls from the first one on. The programs of a round run one after the other, in the reverse order in every other
+# round. Each ratio is of two runs of the same round; the table has the ratios' medians, minima and maxima. of_hand is
+# the time of the loop by hand divided by redcc's. Results are compared bit for bit.
 #   ROUNDS=5 CALLS="1 3 10 20" KINDS="pairs pairs-1000 ..." THREADS=2
 . bench/common.sh
 rounds=${ROUNDS:-5}
@@ -26,7 +26,7 @@ unset REDCC_METHOD
 load_note
 
 status=0
-raw=$work/raw # kind variant calls serial_seconds seconds hand_seconds
+raw=$work/raw # columns: kind, variant, calls, serial_seconds, seconds, hand_seconds
 by() { # VARIANT THREADS PROGRAM
   OMP_NUM_THREADS=$2 "$work/$kind-$3" "${calls[@]}" >"$work/$1"
 }
@@ -46,7 +46,7 @@ for round in $(seq "$rounds"); do
     for variant in redcc redcc-1 hand; do compare "$variant" || status=1; done
   done
 done
-# values VARIANT EXPRESSION: of the rounds of $kind and $count
+# values VARIANT EXPRESSION: prints the expression's value for each round of $kind and $count
 values() { awk -v k="$kind" -v v="$1" -v c="$count" "\$1 == k && \$2 == v && \$3 == c {print $2}" "$raw"; }
 spread() { # VARIANT EXPRESSION
   local all

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c), against the
-# sequential loop of the same run, and with hand-written alternatives. Then `auto` with order any. WARM: seconds of
-# executions before `auto` is timed; `auto` needs some seconds until its credit covers cutting the heavy loop's access
-# graph.
+# Times the runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c), against the
+# sequential loop of the same run, and with hand-written alternatives; then `auto` with order any. WARM: seconds of
+# executions before `auto` is timed. `auto` needs some seconds until the time that it has saved so far covers the cost
+# of partitioning the heavy loop's access graph.
 . bench/common.sh
 threads=$(nproc)
 warm=${WARM:-15}
@@ -15,7 +15,7 @@ load_note
 # OpenMP's reductions put copies of the arrays on the stacks.
 ulimit -s unlimited 2>/dev/null || echo "note: the stack is limited; omp-sections may fail"
 export OMP_NUM_THREADS=$threads OMP_STACKSIZE=512M
-cells() { # arguments for loops after the mesh
+cells() { # ARGUMENT...: those of bench/loops after the mesh
   for loop in heavy light; do
     for mesh in sorted shuffled; do
       "$loops" "$loop" "$mesh" "$@" | tee -a "$csv"

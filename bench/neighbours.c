@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop that gains by running in parallel, on cores that other programs use as well.
+ * Times a loop that gains by running in parallel while other programs use the same cores
+ * (bench/neighbours.sh).
  *
- *   neighbours ITERATIONS EXECUTIONS
+ *    neighbours ITERATIONS EXECUTIONS
  *
  * prints the seconds of all executions, including the time between them, a hash of the results'
- * bits, and how many times per second a thread lost its core.
+ * bits, and how many times per second a thread lost its core (involuntary context switches).
  */
 #include <math.h>
 #include <stdint.h>

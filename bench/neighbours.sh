@@ -1,16 +1,16 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The effect of busy neighbours on a loop that gains by running in parallel (bench/neighbours.c), for several
-# settings of how OpenMP's threads wait between regions. Zero, one and two compute-bound processes run at the same time.
-# Each ratio is of a sequential run and the parallel run directly after it, with the same neighbours; rounds are
-# interleaved. The last column is how often per second a thread lost its core.
+# The effect of busy neighbours on a loop that gains by running in parallel (bench/neighbours.c), for several settings
+# of how OpenMP's threads wait between regions. The neighbours are zero, one or two compute-bound processes. Each ratio
+# is of a sequential run and the parallel run directly after it, with the same neighbours; rounds are interleaved. The
+# last column is how often per second a thread lost its core.
 #   ROUNDS=9 NEIGHBOURS="0 1 2" METHODS="auto localwrite-steal" WAITS="default passive ..."
 . bench/common.sh
 rounds=${ROUNDS:-9}
 read -r -a neighbours <<<"${NEIGHBOURS:-0 1 2}"
 read -r -a methods <<<"${METHODS:-auto localwrite-steal}"
 read -r -a waits <<<"${WAITS:-default active passive spin-1000 spin-10000}"
-sizes=("100000 200" "1000000 20") # iterations, executions: 0.5 and 5 ms each
+sizes=("100000 200" "1000000 20") # iterations and executions; an execution takes 0.5 or 5 ms
 csv=$results/neighbours.csv
 prefix=$work/prefix
 cmake --install "$build" --prefix "$prefix" >/dev/null
@@ -42,7 +42,7 @@ run_parallel() { # WAIT METHOD ITERATIONS EXECUTIONS
   env -u OMP_WAIT_POLICY -u GOMP_SPINCOUNT "${settings[@]}" "$work/parallel" "$3" "$4"
 }
 
-raw=$work/raw # neighbours iterations wait method ratio losses
+raw=$work/raw # columns: neighbours, iterations, wait, method, ratio, losses
 for round in $(seq "$rounds"); do
   for count in "${neighbours[@]}"; do
     start_neighbours "$count"

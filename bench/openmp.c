@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A histogram of doubles by OpenMP: openmp clause|atomic ITERATIONS ELEMENTS EXECUTIONS. Prints the
- * milliseconds of the fastest execution of the second half, and a hash of all bits. Compiled
- * unchanged, and translated by redcc.
+ * A histogram of doubles by OpenMP, compiled unchanged and translated by redcc.
+ *
+ *    openmp clause|atomic ITERATIONS ELEMENTS EXECUTIONS
+ *
+ * prints the milliseconds of the fastest execution of the second half, and a hash of all bits.
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# A histogram with OpenMP directives, compiled by gcc and by redcc-cc: milliseconds (medians of interleaved runs), and the
-# number of different results of RUNS runs.
+# Times a histogram with OpenMP directives, compiled by gcc alone and translated by redcc first: milliseconds (medians
+# of interleaved runs), and the number of different results of RUNS runs.
 #   RUNS=20   THREADS="1 2"   SIZES="50000,1000,500 ... 4000000,12500000,4"
-#             iterations, elements of 8 bytes, executions
+#             SIZES: iterations, elements of 8 bytes, executions
 . bench/common.sh
 RUNS=${RUNS:-20} THREADS=${THREADS:-1 2}
 SIZES=${SIZES:-50000,1000,500 200000,10000,100 1000000,400000,20 2000000,1000,20 2000000,100000,20

@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The paper's evaluation on this machine, for docs/paper.md: table 1 (a cache model), figures 11 and 12 (speed-up and
-# efficiency by method, on the sorted and the shuffled mesh: measured up to the number of cores, beyond that modelled from
-# the schedule), figure 13 (memory). Writes one CSV and a plot.
+# Repeats the paper's evaluation on this machine, for docs/paper.md. Table 1 comes from a cache model. Figures 11 and 12
+# are the speed-up and efficiency by method, on the sorted and the shuffled mesh: measured up to the number of cores,
+# and modelled from the schedule beyond that. Figure 13 is the memory. Writes one CSV and a plot.
 #   PAPER_WARM=1              seconds of executions before each measurement
 #   PAPER_MODEL="4 8 16 32"   thread counts that are modelled
 #   PAPER_METHODS="..."       the methods
@@ -26,8 +26,8 @@ column -s, -t "$work/table1"
     "$work/table1"
 } >"$csv"
 
-# one PART MESH METHOD THREADS WARM: a line of the CSV. Memory is relative to the reduction arrays. The modelled speed-up
-# depends only on the schedule: it excludes barriers, memory, and filling and merging copies.
+# one PART MESH METHOD THREADS WARM: adds a line to the CSV. Memory is relative to the reduction arrays. The modelled
+# speed-up depends only on the schedule: it excludes barriers, memory, and filling and merging copies.
 one() {
   REDCC_METHOD=$3 OMP_NUM_THREADS=$4 "$loops" heavy "$2" "$5" |
     awk -F, -v part="$1" -v mesh="$2" -v method="$3" -v t="$4" '{

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * For script/bench product: compares the time of the product with the cloth's matrix if half of it
- * is stored, as in the simulator, and if every block is stored, for meshes of given numbers of
- * vertices. The results of the two products are compared first.
+ * is stored, as in the simulator, with that if every block is stored. The meshes have given numbers
+ * of vertices. The results of the two products are first checked to agree.
  */
 #include <math.h>
 #include <stdio.h>
@@ -27,8 +27,8 @@ static void complete_row_starts(const block_matrix *half, int *row_start) {
         row_start[i + 1] += row_start[i];
 }
 
-/* Makes the full matrix, with blocks above and below the diagonal, from the half. 0, or -1: out of
- * memory. */
+/* Makes the full matrix, with blocks above and below the diagonal, from the half. Returns 0, or -1
+ * if out of memory. */
 static int complete(const block_matrix *half, block_matrix *full) {
     const int rows = half->row_count;
     const size_t blocks = 2 * (size_t)half->block_count - (size_t)rows;
@@ -44,8 +44,8 @@ static int complete(const block_matrix *half, block_matrix *full) {
     }
     complete_row_starts(half, full->row_start);
     memcpy(next, full->row_start, sizeof *next * (size_t)rows);
-    /* Since rows are visited in ascending order, the transposed blocks from rows above, which are
-     * left of the diagonal, are stored before the row's own blocks, so columns ascend. */
+    /* Rows are visited in ascending order. The transposed blocks from rows above, which are left of
+     * the diagonal, are therefore stored before the row's own blocks, and columns ascend. */
     for (int i = 0; i < rows; i++)
         for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
             const int j = half->column[k];
@@ -81,7 +81,8 @@ static void full_product(const block_matrix *restrict F, const double (*restrict
     }
 }
 
-/* Are the two products equal up to rounding? */
+/* Are the two products with x equal up to rounding? Leaves them in y and z, and prints a message if
+ * not. */
 static int agree(const block_matrix *half, const block_matrix *full, const double (*x)[3],
                  double (*y)[3], double (*z)[3]) {
     half_product(half, x, y);
@@ -101,7 +102,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* The median time of one product, s. Includes setting y to 0, which half_product needs. */
+/* Returns the median time of one product, s. It includes setting y to 0, which half_product
+ * needs. */
 static double median_seconds(product *multiply, const block_matrix *A, const double (*x)[3],
                              double (*y)[3], double *seconds, int repeats) {
     for (int n = 0; n < repeats; n++) {
@@ -126,7 +128,8 @@ static double megabytes(const block_matrix *A) {
     return (double)A->block_count * (sizeof *A->value + sizeof *A->column) / 1e6;
 }
 
-/* Measures one matrix, with or without hinges; 0, or -1: out of memory. */
+/* Measures the matrix of the mesh, with or without hinges. Returns 0, or -1 if out of memory or if
+ * the products differ. */
 static int measure(const mesh *m, int with_hinges, int repeats) {
     const element_list lists[2] = {{m->triangle_count, 3, &m->triangle[0][0]},
                                    {m->hinge_count, 4, &m->hinge[0][0]}};

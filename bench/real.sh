@@ -1,11 +1,11 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Real programs (bench/real) as a whole: each is built, with its libraries, by gcc -O2 and by redcc-cc -O2, and run on
+# Times whole programs (bench/real): each is built, with its libraries, by gcc -O2 and by redcc-cc -O2, and run on
 # input of real size. Measures wall time from start to end of gcc's program and of redcc-cc's with 1 and 2 threads, in
-# turn; ratios are of one round. All runs must print the same bytes. Sources of SuiteSparse come from Debian
-# (build/packages; the first time by network). perf, if it is installed, measures the fraction of a run that the loops
-# take.
-#   ROUNDS=5 PROGRAMS="molecules bricks jelly euler fairing transport plate" SMALL= (1: the tests' sizes)
+# turn; each ratio is of two runs of the same round. All runs must print the same bytes. Sources of SuiteSparse come
+# from Debian (build/packages; the first time by network). perf, if it is installed, measures the fraction of a run
+# that the loops take.
+#   ROUNDS=5 PROGRAMS="molecules bricks jelly euler fairing transport plate" SMALL=   (SMALL=1: the tests' sizes)
 . bench/common.sh
 . bench/real/library.sh
 rounds=${ROUNDS:-5}
@@ -19,7 +19,7 @@ prefix=$work/prefix
 cmake --install "$build" --prefix "$prefix" >/dev/null
 load_note
 
-# build_all NAME: builds by both compilers, and again by gcc for the profile; 1: the source is unavailable
+# build_all NAME: builds with both compilers, and again with gcc for the profile. Status 1: the source is unavailable.
 build_all() {
   (fetch_real "$1") || return 1
   {
@@ -28,7 +28,7 @@ build_all() {
   } >"$work/log" 2>&1 || { echo "real: $1 does not build: $(tail -n 3 "$work/log")" >&2; exit 1; }
 }
 
-# run NAME VARIANT ROUND COMMAND...: one line of the table; the output is compared with the first
+# run NAME VARIANT ROUND COMMAND...: adds one line to the table, and compares the output with that of the first run
 run() {
   local name=$1 variant=$2 round=$3 start end seconds method=-
   shift 3

@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Speed-up of the two loops of bench/loops.c by number of threads: `auto` is timed with 1, 2, 4, ... threads up to the
-# number of cores. Beyond that, the speed-up is computed from the schedules of methods with serial order (length.h),
-# without memory and barriers.
+# Speed-up of the two loops of bench/loops.c by number of threads. `auto` is timed with 1, 2, 4, ... threads up to the
+# number of cores. Beyond that, the speed-up is computed from the schedules of methods with serial order
+# (runtime/src/plan/length.h), without the effects of memory and barriers.
 #   WARM=15 MODELLED="2 8 16 33 64"   seconds of executions before `auto` is timed; thread counts, or none
 . bench/common.sh
 cores=$(nproc)

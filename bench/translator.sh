@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The time of an analysis relative to clang-19 -fsyntax-only, run in turn on the same file: a small file with many
-# headers; generated files, each twice as long as the preceding one; a function with many loops; and the file named by
-# REDCC_BENCH_SOURCE, such as SQLite's amalgamation.
+# The time of redcc's analysis relative to clang-19 -fsyntax-only, run in turn on the same file. The files are a small
+# one with many headers; generated ones, each twice as long as the preceding one; functions with many loops; and the
+# file named by REDCC_BENCH_SOURCE, such as SQLite's amalgamation.
 . bench/common.sh
 redcc=$build/tool/redcc
 cc -O1 -o "$work/measure" bench/measure.c

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* For bench/generated.sh: springs, a histogram, y = A x by columns, and a loop with a live-out
- * value, whose body is not outlined; the argument selects one. */
+/* Loops for bench/generated.sh: springs, a histogram, y = A x by columns, and a loop with a
+ * live-out value; redcc does not move that loop's body to a separate function. The argument selects
+ * one. */
 #include <stdio.h>
 #include <stdlib.h>
 struct sys {

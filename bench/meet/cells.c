@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Forces between atoms of neighbouring cells. By hand: each thread owns cells, and skips pairs of
- * other threads' cells. */
+/** Forces between atoms of neighbouring cells. By hand: each thread owns a share of the cells, and
+ *  skips pairs of cells if it owns neither cell. */
 #include "meet.h"
 
 enum { SIDE = 20, CELLS = SIDE * SIDE * SIDE, ROOM = 24, NEAR = 14 };
@@ -69,7 +69,7 @@ static int cell_at(int x, int y, int z) {
     return ((x + SIDE) % SIDE * SIDE + (y + SIDE) % SIDE) * SIDE + (z + SIDE) % SIDE;
 }
 
-/* Lists a cell and half of its neighbours. */
+/* Lists in near[cell] the cell itself and half of its 26 neighbours. */
 static void find_near(int cell) {
     const int x = cell / SIDE / SIDE, y = cell / SIDE % SIDE, z = cell % SIDE;
     for (int k = 0; k < NEAR; k++) {
@@ -88,7 +88,7 @@ void make(void) {
     change();
 }
 
-/* Moves atoms to other cells. */
+/* Puts a new random number of atoms into each cell, at new random positions. */
 void change(void) {
     for (int cell = 0; cell < CELLS; cell++) {
         count[cell] = 4 + (int)(5 * draw());

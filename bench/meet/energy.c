@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Forces between all pairs of charges, with coordinates in a flat array, and the sum of the
- * energies. By hand: tiles, one anti-diagonal after the other; energies are stored, then added up
- * in order. */
+ *  energies. By hand: tiles of pairs, one anti-diagonal after another. Energies are stored first
+ *  and then added up in the order of the sequential loop. */
 #include "meet.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 enum { POINTS = 1000 };
 #endif
 
-static double *at, *force, *energy; /* energy: the element after the forces */
+static double *at, *force, *energy; /* energy points to the element after the forces */
 
 #ifndef BY_HAND
 static void repel(int n, const double *r, double *f, double *sum) {

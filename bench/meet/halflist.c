@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Molecular dynamics by half neighbour lists, with the energy. By hand: each thread owns atoms,
- * and skips rows that contain none of these; energies are stored, then added up in order. */
+/** Forces and energy of a Lennard-Jones liquid from half neighbour lists. By hand: each thread owns
+ *  a share of the atoms, and skips rows that contain none of them. Energies are stored first and
+ *  then added up in the order of the sequential loop. */
 #include "meet.h"
 
 #include <math.h>
 
 enum { SIDE = 56, ATOMS = SIDE * SIDE * SIDE / 4, MOST = 40 };
 
-static int *start, *list, *last; /* last: a row's greatest neighbour, for the loop by hand */
-static double (*at)[3], (*force)[3], *energy; /* energy: the element after the forces */
+static int *start, *list, *last; /* last: greatest neighbour of each row's atom, for the loop by
+                                  * hand */
+static double (*at)[3], (*force)[3], *energy; /* energy points to the element after the forces */
 
 #ifndef BY_HAND
 static void interact(int n, const double (*r)[3], double (*f)[3], double cut) {
@@ -79,7 +81,7 @@ static void find_neighbours(double reach) {
     for (int i = 0; i < ATOMS; i++) {
         start[i] = count;
         last[i] = i;
-        /* atoms with larger distances in the order are not neighbours */
+        /* atoms whose numbers differ by more are not neighbours */
         const int layer = 3 * SIDE * SIDE;
         for (int j = i + 1; j < ATOMS && j < i + layer; j++) {
             const double dx = at[i][0] - at[j][0], dy = at[i][1] - at[j][1],

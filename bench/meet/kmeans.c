@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** A step of k-means: each point is added to the sum of its nearest centre. By hand: threads find
- * the nearest centres of equal shares of the points; then each thread adds up the points of its
- * centres.
- */
+ *  the nearest centres of equal shares of the points. Then each thread adds up the points of its
+ *  share of the centres. */
 #include "meet.h"
 
 #include <float.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** All pairs of points attract each other; the inner loop keeps a point's sum in variables. By
- * hand: tiles, one anti-diagonal after the other. */
+/** All pairs of points attract each other; the inner loop keeps the sum of a point's forces in
+ *  local variables. By hand: tiles of pairs, one anti-diagonal after another. */
 #include "meet.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 enum { POINTS = 4000 };
 #endif
 
-static double *x, *y, *z, *mass, *force; /* force: all x, then all y, then all z */
+static double *x, *y, *z, *mass, *force; /* force: all x components, then all y, then all z */
 
 #ifndef BY_HAND
 static void attract(int n, double *fx, double *fy, double *fz) {

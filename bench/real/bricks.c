@@ -2,17 +2,17 @@
 /**
  * Explicit dynamics of a linear elastic block of eight-node bricks, struck at one end.
  *
- *   bricks SIDE STEPS >displacements
+ * bricks SIDE STEPS >displacements
  *
  * A bar of SIDE x SIDE x 4 SIDE bricks with distorted nodes is fixed at z = 0; its far end starts
  * with a velocity. Central differences with lumped masses integrate it. In each step a loop over
  * the elements gathers the displacements of eight nodes, computes stresses at the centre (one-point
- * integration) with Flanagan and Belytschko's control of the hourglass modes, and scatters the
- * nodal forces. Every fiftieth step prints the kinetic energy and the tip's displacement; the end
- * prints all displacements.
+ * integration) with Flanagan and Belytschko's control of the hourglass modes, which have no strain
+ * at the centre, and scatters the nodal forces. Every fiftieth step prints the kinetic energy and
+ * the tip's displacement; the end prints all displacements.
  *
- * T. J. R. Hughes, The Finite Element Method, Prentice-Hall 1987, section 9; D. P. Flanagan and
- * T. Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679.
+ * T. J. R. Hughes, The Finite Element Method, Prentice-Hall 1987, section 9; D. P. Flanagan and T.
+ * Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679.
  */
 #include <math.h>
 #include <stdio.h>
@@ -25,8 +25,8 @@
 
 struct mesh {
     int nnode, nelem;
-    double (*x)[3];       /* nodes */
-    int (*conn)[8];       /* the nodes of each element */
+    double (*x)[3];       /* positions of the nodes, m */
+    int (*conn)[8];       /* [elements] the nodes of each element */
     double (*grad)[8][3]; /* [elements] derivatives of the shape functions at the centre */
     double *volume;
 };
@@ -47,7 +47,8 @@ static void *allocate(size_t count, size_t size) {
     return memory;
 }
 
-/* A bar of n x n x 4n bricks, 1 m thick; inner nodes are moved by up to a tenth of an edge. */
+/* Makes a bar of n x n x 4n bricks, 1 m thick. Each coordinate of each node is moved by up to a
+ * tenth of an edge. */
 static void make_mesh(struct mesh *m, int n) {
     const int row = n + 1, layer = row * row;
     const double h = 1.0 / n;
@@ -71,7 +72,8 @@ static void make_mesh(struct mesh *m, int n) {
     }
 }
 
-/* Derivatives of the trilinear shape functions at the centre, through the Jacobian's inverse. */
+/* Computes the element's volume and the derivatives of the trilinear shape functions at its centre,
+ * by the inverse of the Jacobian J of the map from the reference cube. */
 static void shape_functions(struct mesh *m, int e) {
     double J[3][3] = {{0}}, I[3][3];
     for (int a = 0; a < 8; a++)
@@ -93,7 +95,7 @@ static void shape_functions(struct mesh *m, int e) {
         }
 }
 
-/* Nodal forces f of element e from its nodes' displacements u. */
+/* Computes the nodal forces f of an element from its nodes' displacements u. */
 static void element_force(const double grad[8][3], double volume, const double u[8][3],
                           double f[8][3]) {
     const double mu = YOUNG / (2 * (1 + POISSON));

@@ -26,10 +26,12 @@
 static int nnode, nedge, nwall, nfar;
 static double (*x)[2], *volume;
 static int (*edge)[2];
-static double (*normal)[2]; /* of the dual face between an edge's nodes, from first to second */
+static double (*normal)[2]; /* normal of the dual face between an edge's nodes, from first to
+                             * second; its length is the face's */
 static int *wall, *far_node;
-static double (*wall_normal)[2], (*far_normal)[2];  /* out of the domain */
-static double (*q)[4], (*q0)[4], (*res)[4], *speed; /* density, momentum, energy; residual */
+static double (*wall_normal)[2], (*far_normal)[2];  /* outward normals at the boundary */
+static double (*q)[4], (*q0)[4], (*res)[4], *speed; /* q: density, momentum (2), energy; res:
+                                                     * residual */
 
 static void *allocate(size_t count, size_t size) {
     void *memory = calloc(count, size);
@@ -48,7 +50,8 @@ static void add_edge(int a, int b, const double n[2]) {
     nedge++;
 }
 
-/* The part of the dual face of edge a-b that lies in the triangle a, b, c, as a normal from a. */
+/* Adds to n the part of the dual face of edge a-b that lies in the triangle a, b, c, as a normal
+ * from a to b. */
 static void half_face(int a, int b, int c, double n[2]) {
     const double mx = 0.5 * (x[a][0] + x[b][0]), my = 0.5 * (x[a][1] + x[b][1]);
     const double cx = (x[a][0] + x[b][0] + x[c][0]) / 3, cy = (x[a][1] + x[b][1] + x[c][1]) / 3;
@@ -74,9 +77,8 @@ static void boundary_edge(int a, int b, int *count, int *node, double (*n)[2]) {
     }
 }
 
-/* Nodes (i, j) have columns 0..nx and rows 0..ny; each quadrilateral is cut from i, j to i + 1, j
- * + 1.
- */
+/* Node (i, j) has column i, 0 to nx, and row j, 0 to ny. Each quadrilateral is cut along the
+ * diagonal from (i, j) to (i + 1, j + 1). */
 static void make_mesh(int nx, int ny) {
 #define NODE(i, j) ((i) * (ny + 1) + (j))
     nnode = (nx + 1) * (ny + 1);
@@ -136,7 +138,8 @@ static double pressure(const double u[4]) {
     return (GAMMA - 1) * (u[3] - 0.5 * (u[1] * u[1] + u[2] * u[2]) / u[0]);
 }
 
-/* Rusanov's flux through a face of normal n: the mean, less the fastest wave times the jump. */
+/* Rusanov's flux f through a face of normal n between states l and r: the mean of both fluxes, less
+ * half the fastest wave speed times the jump r - l. */
 static void rusanov(const double l[4], const double r[4], const double n[2], double f[4]) {
     const double size = sqrt(n[0] * n[0] + n[1] * n[1]);
     const double pl = pressure(l), pr = pressure(r);
@@ -189,7 +192,8 @@ static void residual(const double far_state[4]) {
     }
 }
 
-/* One step of four stages with local time steps: CFL / speed is the step divided by the volume. */
+/* One step of four stages with local time steps. CFL / speed is the local step divided by the
+ * volume. */
 static void runge_kutta(const double far_state[4]) {
     static const double stage[4] = {0.25, 1.0 / 3, 0.5, 1.0};
     memcpy(q0, q, sizeof *q * (size_t)nnode);

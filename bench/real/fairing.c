@@ -26,7 +26,7 @@ typedef struct vector {
 
 typedef struct mesh {
     int vertices, triangles;
-    vector *position, *normal; /* curvature normal times area */
+    vector *position, *normal; /* normal: curvature normal times area */
     double *area;
     int (*triangle)[3];
 } mesh;
@@ -59,10 +59,11 @@ static vector scaled(double s, vector a) {
 /* ---- the mesh ------------------------------------------------------------------------------- */
 
 typedef struct midpoint {
-    int low, high, vertex; /* of the edge low-high; vertex -1: the entry is free */
+    int low, high, vertex; /* vertex: made from edge low-high; -1 if the entry is free */
 } midpoint;
 
-/* The vertex in the middle of an edge, created on first use. */
+/* Returns the vertex made by halving the edge a-b: its middle, projected onto the unit sphere. The
+ * hash table has the vertices made so far. */
 static int middle(mesh *m, midpoint *table, unsigned size, int a, int b) {
     const int low = a < b ? a : b, high = a < b ? b : a;
     unsigned at = ((unsigned)low * 2654435761u ^ (unsigned)high * 40503u) & (size - 1);
@@ -98,7 +99,8 @@ static void subdivide(mesh *m) {
     m->triangles = n;
 }
 
-/* Uniform in (-1/2, 1/2): Park and Miller's minimal standard generator. */
+/* Returns a random number, uniform in (-1/2, 1/2), by Park and Miller's minimal standard
+ * generator. */
 static double uniform(void) {
     static long seed = 20011;
     seed = seed * 16807 % 2147483647;
@@ -135,7 +137,7 @@ static void make_surface(mesh *m, int levels) {
 
 /* ---- the flow ------------------------------------------------------------------------------- */
 
-/* Cotangents of the angles between the edges that leave each corner, and the area. */
+/* Computes the cotangents of the angles at the three corners. Returns the area. */
 static double cotangents(const vector p[3], double cot[3]) {
     const vector n = cross(sub(p[1], p[0]), sub(p[2], p[0]));
     const double twice = sqrt(dot(n, n));
@@ -204,7 +206,7 @@ int main(int argc, char **argv) {
     double dt = 0;
     for (int step = 0; step < steps; step++) {
         const double whole = curvature_normals(&m);
-        if (step == 0) /* explicit steps are stable up to about half of the squared edges */
+        if (step == 0) /* explicit steps are stable up to about half the squared edge length */
             dt = 0.15 * whole / m.triangles;
         move(&m, dt);
         if (step % 10 == 9) {

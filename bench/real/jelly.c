@@ -22,13 +22,13 @@
 #define BULK 2e5   /* Lame's lambda, Pa */
 #define VISCOUS 15 /* Pa s */
 #define DENSITY 1000.0
-#define FLOOR 2e3 /* stiffness of a node's spring, N/m */
+#define FLOOR 2e3 /* stiffness of the spring that pushes a node out of the floor, N/m */
 #define GRAVITY 9.81
 
 static int nodes, tets;
 static double (*x)[3], (*v)[3], (*f)[3], *mass;
 static int (*tet)[4];
-static double (*rest)[3][3], *rest_volume; /* inverse of the edges at rest */
+static double (*rest)[3][3], *rest_volume; /* rest: inverse of the matrix of edges at rest */
 
 static void *allocate(size_t count, size_t size) {
     void *memory = calloc(count, size);
@@ -47,7 +47,8 @@ static double determinant(double a[3][3]) {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
-/* The matrix of cofactors: the derivative of the determinant with respect to the matrix. */
+/* Computes the matrix of cofactors, which is the derivative of the determinant with respect to the
+ * matrix. */
 static void cofactors(double a[3][3], double c[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -62,7 +63,7 @@ static void product(double a[3][3], double b[3][3], double c[3][3]) {
             c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
 }
 
-/* Columns of d: the edges from a tetrahedron's first node to the others. */
+/* Sets the columns of d to the edges from a tetrahedron's first node to the others. */
 static void edges(const double (*of)[3], const int n[4], double d[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -130,8 +131,8 @@ static void make_block(int side) {
 
 /* ---- forces --------------------------------------------------------------------------------- */
 
-/* The first Piola-Kirchhoff stress p of a deformation gradient and its rate; returns the energy
- * density. */
+/* Computes the first Piola-Kirchhoff stress p from the deformation gradient and its rate. Returns
+ * the energy density. */
 static double stress(double deformation[3][3], double rate[3][3], double p[3][3]) {
     const double alpha = 1 + 0.75 * SHEAR / BULK;
     double c[3][3], square = 0;
@@ -159,7 +160,8 @@ static double elastic_forces(void) {
         product(d, rest[t], rate);
         energy += rest_volume[t] * stress(deformation, rate, p);
         for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) { /* -volume P B^T, column by column */
+            for (int j = 0; j < 3; j++) { /* forces -V P B^T, column by column: V volume and B
+                                           * inverse edges at rest, P stress */
                 const double force =
                     rest_volume[t] *
                     (p[i][0] * rest[t][j][0] + p[i][1] * rest[t][j][1] + p[i][2] * rest[t][j][2]);

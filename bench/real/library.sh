@@ -5,18 +5,18 @@
 # Requires PACKAGES_FOLDER, the folder for Debian's sources (tests/packages/library.sh).
 real_programs=(molecules bricks jelly euler fairing transport plate)
 
-# Arguments of a run of some seconds, and of one for a test.
+# Arguments of a run that takes some seconds, and of a run for a test.
 declare -A real_size=([molecules]="24 200" [bricks]="24 400" [jelly]="32 300" [euler]="120 300" [fairing]="8 150"
   [transport]="200000 100" [plate]="500 10")
 declare -A test_size=([molecules]="8 41" [bricks]="6 100" [jelly]="8 100" [euler]="16 20" [fairing]="5 30"
   [transport]="4000 5" [plate]="60 3")
 
-# The functions with irregular reductions, as a regular expression: to find their share of a run.
+# The functions with irregular reductions, as a regular expression for loop_share.
 declare -A real_loops=([molecules]="forces" [bricks]="internal_forces|element_force"
   [jelly]="elastic_forces|stress|product|edges|cofactors|determinant" [euler]="residual|wave_speeds|rusanov"
   [fairing]="curvature_normals|cotangents" [transport]="umfdi_solve" [plate]="cs_gaxpy")
 
-# The Debian source package that a program is built with.
+# The Debian source package of the libraries with which a program is built.
 declare -A real_package=([transport]=suitesparse [plate]=suitesparse)
 
 # Fetches the sources that a program needs; exits with 77 if they are unavailable.
@@ -27,7 +27,7 @@ fetch_real() { # NAME
   fetch
 }
 
-# build_real NAME COMPILER FOLDER [FLAG...]: builds FOLDER/NAME with that compiler, including libraries.
+# build_real NAME COMPILER FOLDER [FLAG...]: builds FOLDER/NAME, including libraries, with that compiler.
 build_real() {
   local name=$1 compiler=$2 folder=$3 flags=(-O2 "${@:4}") source=bench/real/$1.c
   mkdir -p "$folder"
@@ -44,7 +44,7 @@ build_real() {
   esac
 }
 
-# UMFPACK for double and int, without CHOLMOD and BLAS, so that each compiler builds all timed code.
+# Builds UMFPACK for double and int, without CHOLMOD and BLAS, so that the chosen compiler builds all timed code.
 build_umfpack() { # COMPILER FOLDER FLAGS
   cp -r "$PACKAGES_FOLDER"/sources/suitesparse/{UMFPACK,AMD,SuiteSparse_config} "$2" &&
     make -C "$2"/SuiteSparse_config CC="$1" CFLAGS="$3" static &&
@@ -53,7 +53,8 @@ build_umfpack() { # COMPILER FOLDER FLAGS
       'OBJ=$(II) $(GN) $(DI)' static
 }
 
-# The percentage of perf's samples in the given functions, including code inlined into them; "-" if perf is unavailable.
+# Prints the percentage of perf's samples in the given functions, including code inlined into them, or "-" if perf is
+# unavailable.
 loop_share() { # PROGRAM FUNCTIONS ARGUMENT...   (PROGRAM built with -g -no-pie)
   local program=$1 functions=$2 samples=$1.samples
   shift 2

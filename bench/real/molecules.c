@@ -21,13 +21,13 @@
 #define CUTOFF 2.5
 #define SKIN 0.3
 #define DT 0.004
-#define REBUILD 20         /* steps between two neighbour lists */
-#define MOST_NEIGHBOURS 60 /* listed for an atom, on average, at most */
+#define REBUILD 20         /* number of steps between rebuilds of the neighbour list */
+#define MOST_NEIGHBOURS 60 /* capacity of the list: neighbours of an atom, on average */
 
 static int natoms;
 static double box;
 static double (*r)[3], (*v)[3], (*f)[3];
-static int *point, *list; /* list[point[i] .. point[i + 1]) are atom i's neighbours */
+static int *point, *list; /* atom i's neighbours are list[point[i]] to list[point[i + 1] - 1] */
 
 static void *allocate(size_t count, size_t size) {
     void *memory = calloc(count, size);
@@ -38,7 +38,8 @@ static void *allocate(size_t count, size_t size) {
     return memory;
 }
 
-/* Uniform in (-1/2, 1/2): Park and Miller's minimal standard generator. */
+/* Returns a random number, uniform in (-1/2, 1/2), by Park and Miller's minimal standard
+ * generator. */
 static double uniform(void) {
     static long seed = 20011;
     seed = seed * 16807 % 2147483647;
@@ -61,7 +62,8 @@ static void lattice(int cells) {
                 }
 }
 
-/* The nearest image of a distance along an edge of the box. */
+/* Returns the coordinate difference d of two atoms, replaced by that of their nearest periodic
+ * images. */
 static double image(double d) {
     if (d > 0.5 * box)
         return d - box;
@@ -80,7 +82,8 @@ static int cell_of(double x, int ncell) {
     return c < 0 ? 0 : c >= ncell ? ncell - 1 : c;
 }
 
-/* Appends to the list those of the atoms j, next[j], ... that are within its radius of atom i. */
+/* Appends to the list, of length n, those of the atoms j, next[j], ... that are within its radius
+ * of atom i. Returns the new length. */
 static int scan(const int *next, int j, int i, int n) {
     const double reach = (CUTOFF + SKIN) * (CUTOFF + SKIN);
     for (; j >= 0; j = next[j])

@@ -2,18 +2,18 @@
 /**
  * Heat in a plate: finite elements and implicit time steps, on CSparse's matrices.
  *
- *   plate SIDE STEPS >temperatures
+ *    plate SIDE STEPS >temperatures
  *
- * A plate of SIDE x SIDE nodes, cut into linear triangles, of a conductivity that varies, is heated
- * in one corner and cooled along its edge. Crank and Nicolson's scheme gives a symmetric system for
+ * A plate of SIDE x SIDE nodes is cut into linear triangles. Its conductivity varies; it is heated
+ * in one corner and cooled along one edge. Crank and Nicolson's scheme gives a symmetric system for
  * each step, which conjugate gradients solve. All products of a matrix and a vector are CSparse's
  * cs_gaxpy, which works by columns: y[i] += A(i, j) x[j]. Matrices are built from triplets by
  * cs_entry, cs_compress and cs_dupl. Every step prints its iterations and the heat in the plate;
  * the end prints temperatures.
  *
- * O. C. Zienkiewicz and R. L. Taylor, The Finite Element Method, 4th edition, McGraw-Hill 1989;
- * M. R. Hestenes and E. Stiefel, J. Res. NBS 49 (1952) 409. CSparse: T. A. Davis, Direct Methods
- * for Sparse Linear Systems, SIAM 2006.
+ * O. C. Zienkiewicz and R. L. Taylor, The Finite Element Method, 4th edition, McGraw-Hill 1989; M.
+ * R. Hestenes and E. Stiefel, J. Res. NBS 49 (1952) 409. CSparse: T. A. Davis, Direct Methods for
+ * Sparse Linear Systems, SIAM 2006.
  */
 #include <cs.h>
 #include <math.h>
@@ -23,7 +23,7 @@
 
 #define DT 1e-4
 #define TOLERANCE 1e-8
-#define TRANSFER 5.0 /* of heat through the cooled edge */
+#define TRANSFER 5.0 /* heat transfer coefficient of the cooled edge */
 
 static csi n, side;
 
@@ -64,8 +64,8 @@ static void add_triangle(const csi v[3], cs *stiffness, cs *mass) {
         }
 }
 
-/* Converts a triplet matrix to compressed columns, adding up repeated entries; frees the triplets.
- */
+/* Returns a triplet matrix in compressed columns, with repeated entries added up. Frees the
+ * triplets. */
 static cs *compressed(cs *triplets) {
     cs *transposed = cs_compress(triplets), *half = cs_transpose(transposed, 1);
     cs_spfree(triplets);
@@ -75,7 +75,7 @@ static cs *compressed(cs *triplets) {
     return half; /* rows in order within each column */
 }
 
-/* M + DT/2 K and M - DT/2 K */
+/* left = M + DT/2 K and right = M - DT/2 K with the mass matrix M and the stiffness matrix K */
 static void make_matrices(cs **left, cs **right) {
     cs *K = cs_spalloc(n, n, 18 * n, 1, 1), *M = cs_spalloc(n, n, 18 * n, 1, 1);
     if (!K || !M)

@@ -2,13 +2,13 @@
 /**
  * Transport of a substance in a network of channels, by implicit time steps and UMFPACK.
  *
- *   transport NODES STEPS >concentrations
+ * transport NODES STEPS >concentrations
  *
- * NODES junctions are connected by channels, each to a few upstream, as in rivers and pipes.
- * Concentrations follow dc/dt = (inflow - outflow + mixing) / volume, by Euler's implicit method.
- * The flow is steady, so the matrix is factorised once; each step solves it for a new right-hand
- * side, with UMFPACK's iterative refinement. Such matrices have little fill-in: products with the
- * matrix, in refinement, are a good part of a solution.
+ * NODES junctions are connected by channels, each junction to a few upstream, as in rivers and
+ * pipes. Concentrations follow dc/dt = (inflow - outflow + mixing) / volume, by Euler's implicit
+ * method. The flow is steady, so the matrix is factorised once; each step solves it for a new
+ * right-hand side, with UMFPACK's iterative refinement. Such matrices have little fill-in: products
+ * with the matrix, in refinement, take a good part of the time of a solution.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006; the calls are those of
  * UMFPACK's umfpack_simple.c.
@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <umfpack.h>
 
-enum { DEGREE = 8 /* maximum entries of a column besides the diagonal */ };
+enum { DEGREE = 8 /* most entries of a column besides the diagonal */ };
 
 static int n, nz;
 static int *Ap, *Ai;

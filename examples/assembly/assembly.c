@@ -2,7 +2,7 @@
 /**
  * Finite elements: assembles the right-hand side of Poisson's equation on a triangulated square,
  * and the lumped masses, triangle by triangle. Prints a checksum of all bits of the result, and on
- * standard error the seconds it took.
+ * standard error the seconds that it took.
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -29,8 +29,8 @@ REDCC_SLICE(assemble, int t) {
     }
 }
 
-/* A heavy body is compiled once instead of being inlined several times. Requires REDCC_ONE_BODY
- * below.
+/* The body is compiled once instead of being inlined several times, because it is long. This
+ * requires REDCC_ONE_BODY below.
  */
 REDCC_HEAVY_BODY(assemble, int t) {
     const struct triangle *triangle = &loop->triangle[t];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What assemble() adds up: a triangle's forces at its corners, and matrices for pairs of corners.
- *  The formulas have no physical meaning; they cost as much as real ones. */
+/** The terms that assemble() sums: a triangle's forces at its corners, and a matrix for each pair
+ *  of corners. The formulas have no physical meaning but cost as much as real ones. */
 #ifndef ELEMENT_H
 #define ELEMENT_H
 

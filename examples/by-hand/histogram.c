@@ -37,7 +37,7 @@ REDCC_DESCRIBE(histogram) {
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 1
 #define REDCC_STREAMS
-/* Plans may be kept (the default); iterations are short and have no loops. */
+/* VERIFIABLE, the default: rows depend only on `key`. LIGHT: short iterations without loops. */
 #define REDCC_FLAGS REDCC_VERIFIABLE | REDCC_LIGHT
 #include <redcc/define_loop.h>
 

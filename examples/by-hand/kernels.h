@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loops of this folder, in four versions: by hand for redcc's runtime (no suffix), sequential
- *  (_plain), with OpenMP's clause `reduction`, and with its `atomic`. */
+/** The loops of this folder in four versions: written by hand for redcc's runtime (no suffix),
+ *  sequential (_plain), with OpenMP's clause `reduction` (_reduction), and with OpenMP's `atomic`
+ *  (_atomic). */
 #ifndef KERNELS_H
 #define KERNELS_H
 
 struct triangle {
     int corner[3];
-    int place[3][3]; /* for each pair of corners: the index of its block in the matrix */
+    int place[3][3]; /* for each pair of corners, the index of its block in the matrix */
     double weight[3];
 };
 
-/** Lengths of the updated arrays; only OpenMP's clause needs them. */
+/** Lengths of the updated arrays, which only OpenMP's clause needs. */
 struct lengths {
     int particles, rows, keys, blocks;
 };
 extern struct lengths lengths;
 
-/* springs: forces of n springs of stiffness k between particles at x are added to b.
- * product: y += A x, A by columns: the entries of column j are start[j] to start[j + 1] - 1.
+/* springs: adds to b the forces of n springs of stiffness k between particles at x.
+ * product: y += A x with A stored by columns; column j has entries start[j] to start[j + 1] - 1.
  * histogram: counts n keys.
  * assemble: adds the forces of n triangles to the loads of their corners, and the derivatives to
  *     the blocks of a sparse matrix. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* by-hand check [CALLS]: executes CALLS times each loop written by hand for redcc and the
  * sequential loop, and compares all bits; status 1 if some differ. by-hand time LOOP SIDE ROUNDS:
- * prints LOOP,version,median,10th percentile,90th percentile, in milliseconds per call; the
- * versions are interleaved. */
+ * prints LOOP,version,median,10th percentile,90th percentile for each version, in milliseconds per
+ * call. The versions take turns. */
 #include "kernels.h"
 
 #include <stdio.h>
@@ -21,7 +21,8 @@ enum { LOOPS = 4, MOST_VERSIONS = 4, MOST_ROUNDS = 99 };
 static const char *const loop_names[LOOPS] = {"springs", "product", "histogram", "assemble"};
 static const char *const version_names[MOST_VERSIONS] = {"plain", "by hand", "reduction", "atomic"};
 
-/* A grid of side x side particles: springs along and across, two triangles in each square. */
+/* Data of the loops: a grid of side x side particles with springs along the axes and one diagonal,
+ * and two triangles in each square. */
 struct data {
     int edges, triangles, entries, keys;
     int (*edge)[2], *start, *row, *key;
@@ -58,8 +59,8 @@ static void add_edge(struct data *it, int i, int j) {
     it->edge[it->edges++][1] = j;
 }
 
-/* Indices of blocks: the diagonal block of a corner has the corner's number. After all diagonal
- * blocks follow six blocks for each corner, one for each direction to a neighbour. */
+/* A corner's diagonal block has the corner's number. After all diagonal blocks follow six blocks
+ * for each corner, one for each direction to a neighbour. */
 static void add_triangle(struct data *it, int i, int j, int k) {
     const int corner[3] = {i, j, k};
     struct triangle *to = &it->triangle[it->triangles++];
@@ -171,7 +172,7 @@ static int check(int side, int calls) {
     int differ = 0;
     for (int loop = 0; loop < LOOPS; loop++)
         for (int call = 0; call < calls; call++) {
-            if (call == calls / 2 && it.edges > 8) { /* subscripts change */
+            if (call == calls / 2 && it.edges > 8) { /* changes subscripts halfway */
                 it.edge[it.edges / 2][0] = 1;
                 it.row[it.entries / 2] = 0;
                 it.key[3] = 0;

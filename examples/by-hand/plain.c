@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The sequential loops. Compiled three times: as they are, and, for comparison, with OpenMP and
- * ATOMIC or REDUCTION defined. */
+/* The sequential loops. This file is compiled three times: as it is, and for comparison with OpenMP
+ * and ATOMIC or REDUCTION defined. */
 #include "kernels.h"
 
 #include "element.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* y += A x with A by columns: column j updates the elements of y in whose rows it has entries. */
+/* y += A x, A by columns: column j updates those elements of y in whose rows it has entries. */
 #include "kernels.h"
 
 #include <redcc/parallel.h>

@@ -11,8 +11,8 @@ struct springs {
     double k;
     double (*b)[3];
 };
-enum { B };       /* updated */
-enum { EDGE, X }; /* read */
+enum { B };       /* arrays updated */
+enum { EDGE, X }; /* arrays read */
 static const redcc_array springs_arrays[] = {REDCC_ARRAY("b", REDCC_SUM, double, 3)};
 static const redcc_source springs_sources[] = {REDCC_SUBSCRIPTS("edge"), REDCC_READ("x")};
 static const redcc_stream springs_streams[] = {REDCC_KEPT(B, double, 3)};
@@ -46,7 +46,7 @@ REDCC_DESCRIBE(springs) {
 }
 
 #define REDCC_LOOP springs
-/* For reports: line 60 calls springs_execute. */
+/* For reports: the loop is executed on line 60, by springs_execute. */
 #define REDCC_WHERE "springs.c", 60, "springs"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 2

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Particle in cell: each particle's charge is distributed over the four corners of its cell in a
- * 512 x 512 grid, with bilinear weights. The particles move a little between the deposits. Prints a
- * checksum of all bits of the grid, and on standard error the seconds it took.
+ * 512 x 512 grid, with bilinear weights. The particles move a little between deposits. Prints a
+ * checksum of all bits of the grid, and on standard error the seconds that it took.
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -10,7 +10,7 @@
 void __real_forces_assemble(simulation *sim, const expansion *at);
 int __real_forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
-/* The parameters of an assembly other than positions and velocities. */
+/* The parameters of an assembly other than positions and velocities, as the leader sends them. */
 typedef struct present {
     double h;
     double wind[3];
@@ -24,11 +24,12 @@ void assembly_thin(simulation *whole) {
     system_free(&whole->system);
     if (system_init(&whole->system, rows, 0, NULL) != 0)
         part_give_up("out of memory");
-    whole->system.A.block_count = blocks; /* of all ranks, for the run's counts */
+    whole->system.A.block_count = blocks; /* the number of blocks of all ranks, for the run's
+                                           * counts */
 }
 
-/* Expands the angles of the leader's hinges, which are those with a weight, to all hinges of the
- * mesh: angle [mesh hinges]. */
+/* Copies the angles of the leader's hinges to angle [mesh hinges]. The leader's list lacks the
+ * mesh's hinges without weight. */
 static void spell_angles(const simulation *whole, double *angle) {
     const hinge_elements *e = &whole->cloth.hinges;
     int k = 0;
@@ -76,8 +77,8 @@ void assembly_receive(part *p, const linear_system *whole) {
         memcpy(s->A.value[s->A.row_start[i]], p->diagonal[i], sizeof *p->diagonal);
 }
 
-/* Adds to the effects' accounts: elements processed, counted once for each part that has them, and
- * the seconds of the leader's part. */
+/* Adds to the effects' counts and times: the elements processed, counted once for each part that
+ * has them, and the seconds of the leader's part. */
 static void account(const part *p, simulation *whole) {
     long visited[EFFECT_COUNT], all[EFFECT_COUNT];
     for (int k = 0; k < EFFECT_COUNT; k++) {

@@ -33,8 +33,8 @@ static int read_order(const char *value, int says, bits_order *bits) {
     return says ? complain(value) : EXIT_USAGE;
 }
 
-/* The value of an option --bits at argv[k], and in *words the number of its words; NULL: there is
- * no such option at argv[k]. */
+/* Returns the value of an option --bits at argv[k], and sets *words to the number of its words.
+ * Returns NULL if argv[k] is not that option. */
 static const char *value_at(int argc, char **argv, int k, int *words) {
     static const char name[] = "--bits";
     const size_t length = sizeof name - 1;

@@ -12,11 +12,12 @@ typedef enum bits_order {
 
 /**
  * Removes --bits ORDER or --bits=ORDER from the words of a command that simulates; argv[*argc]
- * stays NULL. 0, or the exit status after an error; a rank prints the message if `says` is not 0.
+ * stays NULL. Returns 0, or the exit status after an error. The message is printed only if `says`
+ * is not 0.
  */
 int bits_take(int *argc, char **argv, int says, bits_order *bits);
 
-/** If --help was given: prints a line on --bits, after fabric's own text. */
+/** If --help was given, prints a line about --bits after fabric's own text. */
 void bits_help(int argc, char **argv);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * fabric over MPI ranks. Rank 0, the leader, runs the program fabric, unchanged; the linker
+ * fabric over MPI ranks. Rank 0, the leader, runs the unchanged program fabric. The linker
  * redirects its calls for forces and solutions to this file (--wrap), and all ranks take part in
  * them. The other ranks wait for the leader's next request.
  */
@@ -18,13 +18,13 @@
 #include "solver/solver_fallback.h"
 #include "solver/solver_parts.h"
 
-/** The leader's requests; each function sends the arguments. */
+/** The leader's requests; the function called for a request sends its arguments. */
 enum request { MAKE, START, FORCES, MISSED, SOLVE, DEFECT, IMPULSES, FREE, END };
 
 static bits_order bits;
 static part mine;
-/* On the leader. current: the simulation whose parts the ranks have; started: a step has begun;
- * solved: a system has been solved, so that all readers of PETSc's options have read them. */
+/* These are set on the leader. current: the simulation whose parts the ranks have; started: a step
+ * has begun; solved: a system has been solved, so all of PETSc's options have been read. */
 static simulation *current;
 static int started, solved;
 
@@ -69,8 +69,7 @@ static int answer(int what) {
 
 static void serve(void) {
     int what;
-    /* Signals sent to all ranks are left to the leader, which ends the run after the current step.
-     */
+    /* Only the leader handles signals sent to all ranks: it ends the run after the current step. */
     signal(SIGINT, SIG_IGN);
     signal(SIGTERM, SIG_IGN);
     do
@@ -96,7 +95,7 @@ double __wrap_solver_defect(solver *s, const linear_system *system, const constr
                             double (*dv)[3], double *reference);
 void __wrap_solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
 
-/* Why the scene cannot be simulated over ranks; NULL: it can. */
+/* Returns the reason why the scene cannot be simulated over ranks, or NULL if it can. */
 static const char *obstacle(const mesh *m, const scene *s, int ranks) {
     if (s->contact.method == CONTACT_BARRIER)
         return "contact: over ranks only constraints; barrier changes the matrix' layout in each "
@@ -148,7 +147,7 @@ void __wrap_simulation_free(simulation *sim) {
     __real_simulation_free(sim);
 }
 
-/* Sends the hinges' angles. Called at the first step, because a checkpoint may have set them. */
+/* Sends the hinges' angles, at the first step, because restoring a checkpoint may have set them. */
 static void start(const simulation *sim) {
     if (started)
         return;

@@ -40,7 +40,7 @@ static int takes(const part *p, const division *d, const int *vertex, int size, 
     return touches;
 }
 
-/* Marks the vertices of the part; counts them and its elements in the mesh. */
+/* Marks the vertices of the part. `counted` receives the numbers of its vertices and elements. */
 static void find(const part *p, const mesh *whole, const division *d, int *mark, mesh *counted) {
     *counted = (mesh){0};
     for (int v = 0; v < whole->vertex_count; v++)
@@ -53,7 +53,7 @@ static void find(const part *p, const mesh *whole, const division *d, int *mark,
         counted->vertex_count += mark[v];
 }
 
-/* Lists the part's vertices; local_of [whole vertices] gets their numbers in the part. */
+/* Lists the part's vertices; local_of [whole vertices] receives their numbers in the part. */
 static void take_vertices(part *p, const mesh *whole, const int *mark, int *local_of) {
     int n = 0;
     for (int v = 0; v < whole->vertex_count; v++) {
@@ -137,8 +137,8 @@ static void spread_mesh(mesh *m, const mesh *whole) {
     MPI_Bcast(m->hinge, 4 * m->hinge_count, MPI_INT, LEADER, MPI_COMM_WORLD);
 }
 
-/* Broadcasts what acts on the whole cloth: material and surroundings. Pins, bodies, contact and the
- * monitor stay with the leader. */
+/* Broadcasts the parts of the scene that act on the whole cloth: material and surroundings. Pins,
+ * bodies, contact and the monitor stay with the leader. */
 static void spread_scene(scene *s, const scene *of) {
     if (of)
         *s = *of;
@@ -177,8 +177,8 @@ static void divide(const part *p, const mesh *whole, division *d) {
     part_share_blocks(p, whole, d);
 }
 
-/* Makes the part's solver with the whole cloth's domains. Of a domain that another rank owns, the
- * part has at most ghosts. */
+/* Makes the part's solver with the domains of the whole cloth. A domain that another rank owns
+ * contains at most ghosts. */
 static void make_domains(part *p, const division *d) {
     int *start = part_memory((size_t)d->count + 1, sizeof *start);
     for (int k = 0, i = 0; k <= d->count; k++) {

@@ -6,8 +6,8 @@
 #include "petsc_check.h"
 #include "solver/solver_parts.h"
 
-/* roots: the number of values that this rank offers; leaf[k] of `count` is the local index of the
- * value root[k] of another rank. */
+/* Makes an exchange. This rank offers `roots` values and receives `count` values of other ranks:
+ * leaf[k] is the local index of the value root[k]. */
 static void connect(PetscSF *sf, int roots, int count, int *leaf, PetscSFNode *root) {
     CHECK(PetscSFCreate(PETSC_COMM_WORLD, sf));
     CHECK(PetscSFSetGraph(*sf, roots, count, leaf, PETSC_COPY_VALUES, root, PETSC_COPY_VALUES));
@@ -59,8 +59,8 @@ static void order_sums(block_sums *s, int ranks, const division *d) {
 
 enum { ANY = -1 };
 
-/* Makes the exchange from owners to ghosts; odd: only those in odd blocks (1), in even ones (0), or
- * in all. */
+/* Makes the exchange from owners to ghosts: only for ghosts in odd blocks (odd = 1), in even ones
+ * (0), or in all (ANY). */
 static void connect_ghosts(const part *p, const division *d, const int *place, int odd,
                            PetscSF *sf) {
     const int count = p->mesh.vertex_count;

@@ -5,15 +5,15 @@
 
 #include "part.h"
 
-/** Zeroed memory, to be freed; ends the program if out of memory. */
+/** Allocates zeroed memory, which the caller frees. Ends the program if out of memory. */
 void *part_memory(size_t count, size_t size);
 
-/** The division of the whole cloth. */
+/** The division of the whole cloth into blocks. */
 typedef struct division {
-    int count;  /* blocks */
-    int *first; /* [count + 1] a block's first vertex */
-    int *of;    /* [vertices] a vertex' block */
-    int *owner; /* [count] the rank that owns a block */
+    int count;  /* number of blocks */
+    int *first; /* [count + 1] each block's first vertex */
+    int *of;    /* [vertices] each vertex's block */
+    int *owner; /* [count] the rank that owns each block */
 } division;
 
 /** Sets d->owner: an equal number of consecutive blocks for each rank or, with the option

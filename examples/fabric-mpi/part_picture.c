@@ -15,7 +15,7 @@
 #include "view/picture.h"
 #include "view/stage.h"
 
-/* Sizes in the picture, in pixels. It is drawn four times (FINE) as wide and high, then halved
+/* Sizes in the picture, in pixels. Panels are drawn FINE (four) times as wide and high, then halved
  * twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };
 /* With more triangles than this, edges are not drawn, since they would hide the small triangles. */
@@ -32,7 +32,7 @@ typedef struct part_picture {
     int ranks, vertices, triangles;
     int *owner;         /* [vertices] */
     int (*triangle)[3]; /* [triangles] */
-    double (*flat)[3];  /* [vertices] material coordinates, and 0 */
+    double (*flat)[3];  /* [vertices] material coordinates, with z = 0 */
 } part_picture;
 
 part_picture *part_picture_new(const part *p, const mesh *whole, const division *d) {
@@ -66,7 +66,7 @@ void part_picture_free(part_picture *of) {
     free(of);
 }
 
-/* A panel of the picture: its left edge, and its view. */
+/* One of the picture's two panels: its left edge, and its view. */
 typedef struct panel {
     int left;
     const double (*x)[3];
@@ -112,8 +112,8 @@ static void look(const panel *view) {
     glLoadIdentity();
 }
 
-/* The brightness of a triangle, from the angle of its normal, on either side, to a light at the eye
- * and a little above. */
+/* Returns the brightness of a triangle: it depends on the angle of the normal, on either side, to a
+ * light that is a little above the eye. */
 static double brightness(const panel *view, const int triangle[3]) {
     double edge[2][3], normal[3], light[3];
     if (view->is_flat)
@@ -126,7 +126,7 @@ static double brightness(const panel *view, const int triangle[3]) {
     return 0.45 + 0.55 * (length > 0 ? fabs(vector_dot(normal, light)) / length : 0);
 }
 
-/* white: the fraction of white to mix in */
+/* Sets the colour, darkened by `bright`, with the fraction `white` of white mixed in. */
 static void choose_colour(const unsigned char colour[3], double bright, double white) {
     GLubyte mixed[3];
     for (int a = 0; a < 3; a++)
@@ -161,7 +161,7 @@ static void draw_triangle(const part_picture *of, const panel *view, int t) {
     const int is_shared = of->owner[vertex[0]] != of->owner[vertex[1]] ||
                           of->owner[vertex[0]] != of->owner[vertex[2]];
     const double bright = brightness(view, vertex) * (is_shared ? 0.5 : 1);
-    double side[3][3], middle[3]; /* side k: opposite corner k */
+    double side[3][3], middle[3]; /* side[k]: middle of the side opposite corner k */
     for (int a = 0; a < 3; a++) {
         for (int k = 0; k < 3; k++)
             side[k][a] = (view->x[vertex[(k + 1) % 3]][a] + view->x[vertex[(k + 2) % 3]][a]) / 2;
@@ -213,7 +213,7 @@ static void draw_panels(const part_picture *of, const double (*x)[3]) {
     glFinish();
 }
 
-/* Draws the panels, four times as large, off screen. 0, or -1: out of memory. */
+/* Draws the panels off screen, FINE times as large. Returns 0, or -1 if out of memory. */
 static int draw_large(const part_picture *of, const double (*x)[3], picture *large) {
     const int width = 2 * PANEL * FINE, height = (PANEL + LEGEND) * FINE;
     const size_t count = (size_t)width * (size_t)height;

@@ -13,8 +13,8 @@
 /** The number of colours; further ranks reuse them. */
 enum { PICTURE_RANKS = 8 };
 
-/** On the leader, when parts are made: copies the data that the picture needs; NULL if no picture
- * is requested. */
+/** Called when parts are made. On the leader, copies the data that the picture needs. Returns NULL
+ *  on other ranks or if no picture is requested. */
 struct part_picture *part_picture_new(const part *p, const mesh *whole, const division *d);
 
 /** Draws and writes the picture, with the cloth at x [vertices], m; ends the program with a message

@@ -18,8 +18,8 @@ static int by_pair(const void *a, const void *b) {
     return memcmp(a, b, sizeof(int[2]));
 }
 
-/* Lists pairs of different blocks that a triangle connects, in both directions, sorted; returns
- * their number. */
+/* Lists the pairs of different blocks that a triangle connects, in both directions, sorted and each
+ * once. Returns their number. */
 static int join_blocks(const mesh *whole, const int *block_of, int (*pair)[2]) {
     int count = 0, kept = 0;
     for (int t = 0; t < whole->triangle_count; t++)
@@ -38,12 +38,12 @@ static int join_blocks(const mesh *whole, const int *block_of, int (*pair)[2]) {
     return kept;
 }
 
-/* The blocks' graph as a PETSc adjacency matrix. */
+/* Returns the blocks' graph as a PETSc adjacency matrix. */
 static Mat block_graph(const mesh *whole, const division *d) {
     const int blocks = d->count;
     int(*pair)[2] = part_memory(6 * (size_t)whole->triangle_count, sizeof *pair);
     const int count = join_blocks(whole, d->of, pair);
-    PetscInt *start, *to; /* the matrix takes ownership */
+    PetscInt *start, *to; /* the matrix takes ownership of these two arrays */
     Mat graph;
     CHECK(PetscCalloc1(blocks + 1, &start));
     CHECK(PetscMalloc1(count, &to));

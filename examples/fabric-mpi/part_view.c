@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Prints the sizes of parts, for readers and for models of the communication. */
+/* Prints the sizes of parts, to be read or to be used in models of the communication. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -8,8 +8,8 @@
 #include "base/words.h"
 #include "petsc_check.h"
 
-/* Options among which the nearest to a misspelt one is searched: PETSc has no list of its options.
- */
+/* Options in which the one nearest to a misspelt option is searched: PETSc has no list of its
+ * options. */
 static const char *const common[] = {"ksp_type",
                                      "ksp_rtol",
                                      "ksp_atol",
@@ -76,7 +76,7 @@ int petsc_options_unread(bits_order bits) {
 }
 
 /* An error handler, which PETSc calls for each function of the call stack. Prints only the first
- * call's message, which names the error. */
+ * message, which names the error. */
 static PetscErrorCode say_first(MPI_Comm comm, int line, const char *function, const char *file,
                                 PetscErrorCode code, PetscErrorType kind, const char *message,
                                 void *context) {

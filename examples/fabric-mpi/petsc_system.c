@@ -11,7 +11,8 @@
 enum { SIZE = 3 }; /* rows of a block */
 
 /* Numbers vertices for PETSc: owned vertices have consecutive numbers in the part's order. number
- * [mesh.vertex_count] also has the numbers of ghosts; row: the local row, -1 for ghosts. */
+ * [mesh.vertex_count] also receives the numbers of ghosts; row [mesh.vertex_count] the local row,
+ * or -1 for ghosts. */
 static void number_vertices(petsc_system *of, const part *p, int *number, int *row) {
     for (int i = 0; i < p->mesh.vertex_count; i++)
         row[i] = -1;
@@ -35,8 +36,8 @@ static int by_column(const void *a, const void *b) {
     return (left->column > right->column) - (left->column < right->column);
 }
 
-/* Appends a block of the half matrix to row[at], if the rank owns that row. Without a list of
- * blocks, counts it in `next`. */
+/* Appends a block of the half matrix to row[at] if the rank owns that row. While of->block is NULL,
+ * only counts it in of->start. */
 static void add_block(petsc_system *of, const int *row, int at, petsc_block block, int *next) {
     if (row[at] < 0)
         return;
@@ -75,8 +76,9 @@ static void find_blocks(petsc_system *of, const block_matrix *A, const int *numb
     free(next);
 }
 
-/* Preallocates: counts the blocks of each row in columns that the rank owns and in others, and, for
- * a matrix of which half is stored, those of both at or right of the diagonal. */
+/* Preallocates the matrix. Counts the blocks of each row in columns that the rank owns and those in
+ * other columns. For a matrix that stores only its upper half, also counts the blocks of either
+ * kind at or right of the diagonal. */
 static void allocate(const petsc_system *of) {
     enum { OWN, OTHER, OWN_UPPER, OTHER_UPPER, COUNTS };
     PetscInt *count[COUNTS];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A solution, from the leader's system to its dv and residual. The product's bits are those of one
- * rank, because a part's owned rows have all their blocks in the order of the whole matrix, so that
- * half_product computes them as in the sequential program. */
+/* Solves the leader's system and returns its dv and residual. The product's bits are those of one
+ * rank: a part's owned rows have all their blocks in the order of the whole matrix, so half_product
+ * computes them as in the sequential program. */
 #include "solution.h"
 
 #include <stdlib.h>
@@ -64,7 +64,7 @@ void solution_reference(part *p, int which) {
     solution_residual(p, s->residual);
 }
 
-/* Receives system, constraints and dv, and projects dv onto the constraints; returns the result of
+/* Receives system, constraints and dv, and projects dv onto the constraints. Returns the result of
  * solver_apply for the whole cloth. */
 static int receive(part *p, const whole_system *whole) {
     simulation *sim = p->sim;

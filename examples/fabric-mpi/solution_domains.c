@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Gauss-Seidel over parts, with the passes of fabric's solver_domains.c in their order. A rank
  * sweeps the domains that it owns. A sweep of even domains reads values of odd ones, and vice
- * versa; ghosts of that kind are updated between the sweeps. */
+ * versa, so ghosts in these are updated between the sweeps. */
 #include <math.h>
 #include <string.h>
 
@@ -14,12 +14,12 @@ static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
 }
 
-/* A pass over one domain; beta: to update the direction, NULL: it is up to date. */
+/* A pass over one domain. Unless NULL, `beta` is used to update the direction first. */
 typedef void (*domain_pass)(domain_solver *d, int domain, const double *beta);
 
-/* A pass over the even or the odd domains, after which other ranks have this kind's values `sent`
- * (unless NULL). Domains that other ranks read come first; their values are sent while the other
- * domains are computed, so that a rank that is briefly late delays no other. */
+/* Makes a pass over the even or the odd domains, after which other ranks have these domains' values
+ * of `sent` (unless NULL). Domains that other ranks read come first. Their values are sent while
+ * the other domains are computed, so that a rank that is briefly late delays no other rank. */
 static void pass_over(const part *p, int odd, domain_pass pass, const double *beta,
                       double (*sent)[3]) {
     for (int sends = 1; sends >= 0; sends--) {
@@ -58,7 +58,7 @@ static void update_and_sweep_direction(domain_solver *d, int domain, const doubl
     domain_sweep_direction(d, domain);
 }
 
-/* Filters and transforms the solver's residual; returns its squared norm. */
+/* Filters and transforms the solver's residual. Returns its squared norm. */
 static double transform(part *p) {
     domain_solver *d = p->domains;
     solver_filter(&p->sim->constraints, p->sim->solver.residual);
@@ -70,7 +70,7 @@ static double transform(part *p) {
     return part_sum(p, d->sum_residual);
 }
 
-/* p = residual + beta p, unless beta is NULL. Then computes t, and w without the product with
+/* Sets p = residual + beta p, unless beta is NULL. Then computes t, and w without its product with
  * `between`. */
 static void sweep_direction(const part *p, const double *beta) {
     domain_solver *d = p->domains;
@@ -90,7 +90,7 @@ static void finish_even(const part *p) {
     part_update_kind_end(p, 0, d->image);
 }
 
-/* p . image */
+/* Returns p . image. */
 static double curvature_of(const part *p) {
     domain_solver *d = p->domains;
 #pragma omp parallel for schedule(static)
@@ -99,7 +99,7 @@ static double curvature_of(const part *p) {
     return part_sum(p, d->sum_direction);
 }
 
-/* Advances correction and residual; returns the residual's squared norm. */
+/* Advances correction and residual. Returns the residual's squared norm. */
 static double advance(const part *p, double alpha) {
     domain_solver *d = p->domains;
 #pragma omp parallel for schedule(static)
@@ -138,7 +138,7 @@ static solver_status iterate(part *p, double square, double goal, int most, long
     }
 }
 
-/* dv += the correction, after its upward sweep. */
+/* Adds the correction to dv, after the correction's upward sweep. */
 static void add_correction(const part *p) {
     domain_solver *d = p->domains;
     pass_over(p, 1, sweep_correction_up, NULL, d->correction);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Block-Jacobi over parts, with the operations of fabric's solver.c in their order: sums are over
- * the same blocks of vertices, added in the same order (part_sum), and all operations except the
- * product act on single vertices. An iteration sends the ghosts' directions and gathers two sums
- * per block. */
+/* Conjugate gradients with block-Jacobi over parts, with the operations of fabric's solver.c in
+ * their order. Sums are over the same blocks of vertices, added in the same order (part_sum), and
+ * all operations except the product act on single vertices. An iteration sends the ghosts'
+ * directions and gathers two sums per block. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 #include "solver/solver_parts.h"
 #include "solver/solver_precondition.h"
 
-/* residual = S (b - product), preconditioned = P residual */
+/* Sets residual r = S (b - product) and preconditioned = P r. */
 static void start_residual(part *p) {
     solver *s = &p->sim->solver;
     const constraints *c = &p->sim->constraints;
@@ -25,7 +25,7 @@ static void start_residual(part *p) {
     }
 }
 
-/* r'Pr, summed by SOLVER_CHUNK vertices even if the part's blocks are domains. */
+/* Returns r'Pr, summed by chunks of SOLVER_CHUNK vertices even if the part's blocks are domains. */
 static double residual_square(part *p) {
     solver *s = &p->sim->solver;
     double *term = part_memory((size_t)p->mesh.vertex_count, sizeof *term), sum;
@@ -40,7 +40,7 @@ static double residual_square(part *p) {
     return sum;
 }
 
-/* p'Ap */
+/* Returns p'Ap for the direction p. */
 static double curvature_of(part *p) {
     solver *s = &p->sim->solver;
 #pragma omp parallel for schedule(static)
@@ -53,7 +53,7 @@ static double curvature_of(part *p) {
     return part_sum(p, s->sum_direction);
 }
 
-/* dv += alpha p, r -= alpha S A p, Pr; returns r'Pr. */
+/* Sets dv += alpha p and r -= alpha S A p, and recomputes P r. Returns r'Pr. */
 static double advance(part *p, double alpha) {
     solver *s = &p->sim->solver;
     const constraints *c = &p->sim->constraints;
@@ -73,7 +73,7 @@ static double advance(part *p, double alpha) {
     return part_sum(p, s->sum_residual);
 }
 
-/* p = Pr + beta p */
+/* Sets p = P r + beta p. */
 static void update_direction(part *p, double beta) {
     solver *s = &p->sim->solver;
 #pragma omp parallel for schedule(static)
@@ -82,8 +82,8 @@ static void update_direction(part *p, double beta) {
             vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
 }
 
-/* Computes preconditioner and residual; returns r'Pr, and for the reference residual in *reference.
- */
+/* Computes preconditioner and residual. Returns r'Pr; *reference receives r'Pr of the reference
+ * residual. */
 static double begin(part *p, int which, double *reference) {
     simulation *sim = p->sim;
     solver *s = &sim->solver;

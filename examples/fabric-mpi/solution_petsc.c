@@ -15,7 +15,7 @@
 typedef struct petsc_solver {
     petsc_system system;
     KSP ksp;
-    /* Was PETSc's -ksp_rtol, -ksp_atol, -ksp_max_it given? */
+    /* were PETSc's options -ksp_rtol, -ksp_atol, -ksp_max_it given? */
     PetscBool has_rtol, has_atol, has_most;
 } petsc_solver;
 
@@ -54,7 +54,7 @@ static void set_default(PC pc, preconditioner_kind kind) {
         CHECK(PCSORSetSymmetric(pc, SOR_LOCAL_SYMMETRIC_SWEEP));
     if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) {
         set_unless_given("-sub_pc_type", PCICC);
-        /* As in solver_factor.c: some matrices cannot be factored without a shift. */
+        /* As in solver_factor.c, because some matrices cannot be factored without a shift. */
         set_unless_given("-sub_pc_factor_shift_type", "positive_definite");
     }
 }
@@ -133,7 +133,7 @@ solver_status petsc_solve(part *p, const solver_limits *limits, int which, long 
         return SOLVER_NOT_FINITE;
     petsc_system_fill(&s->system, p);
     CHECK(KSPSetOperators(s->ksp, s->system.A, s->system.A));
-    /* Relative to the right-hand side's norm, as in fabric. */
+    /* The tolerance is relative to the right-hand side's norm, as in fabric. */
     CHECK(KSPSetTolerances(s->ksp, s->has_rtol ? PETSC_DEFAULT : limits->tolerance,
                            s->has_atol ? PETSC_DEFAULT : limits->floor, PETSC_DEFAULT,
                            s->has_most ? PETSC_DEFAULT : limits->max_iterations));

@@ -7,16 +7,17 @@
 #include "part.h"
 
 /**
- * A solver for systems of the part's layout, configured by PETSC_OPTIONS. The default is `cg`, with
- * the residual in the preconditioner's norm, as in fabric, and PETSc's preconditioner that is
- * nearest to the scene's: pbjacobi (block-jacobi), sor within each rank (gauss-seidel), jacobi,
- * none, bjacobi with icc within each rank (incomplete-cholesky). -ksp_rtol, -ksp_atol and
- * -ksp_max_it override the scene's limits. Freed by petsc_solver_free.
+ * Creates a solver for systems of the part's layout, configured by PETSC_OPTIONS. The default is
+ * `cg`, with the residual in the preconditioner's norm, as in fabric, and PETSc's preconditioner
+ * that is nearest to the scene's: pbjacobi (block-jacobi), sor within each rank (gauss-seidel),
+ * jacobi, none, bjacobi with icc within each rank (incomplete-cholesky). -ksp_rtol, -ksp_atol and
+ * -ksp_max_it override the scene's limits. petsc_solver_free frees it.
  */
 struct petsc_solver *petsc_solver_new(const part *p);
 void petsc_solver_free(struct petsc_solver *s);
 
-/** As solver_solve, from the guess dv. `which`: the result of solver_apply for the whole cloth. */
+/** Solves like solver_solve, starting from the guess dv. `which` is the result of solver_apply for
+ *  the whole cloth. */
 solver_status petsc_solve(part *p, const solver_limits *limits, int which, long *iterations);
 
 #endif

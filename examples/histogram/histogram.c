@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Weighted histogram of 4 million events: how much energy falls into each of 4096 channels.
- * Prints a checksum of all bits of the result, and on standard error the seconds it took.
+ * Weighted histogram of 4 million events: the energy in each of 4096 channels. Prints a checksum of
+ * all bits of the result, and on standard error the seconds that it took.
  */
 #include <stdint.h>
 #include <stdio.h>

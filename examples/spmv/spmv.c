@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * y += A x for a symmetric sparse matrix of which only the upper half is stored, by rows: each
- * entry a(i,j) adds to y[i] and, mirrored, to y[j]. The matrix is that of a 600 x 600 grid. Prints
- * a checksum of all bits of y, and on standard error the seconds it took.
+ * y += A x for a symmetric sparse matrix that stores only its upper half, by rows: each entry
+ * a(i,j) adds to y[i] and, mirrored, to y[j]. The matrix is that of a 600 x 600 grid. Prints a
+ * checksum of all bits of y, and on standard error the seconds that it took.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -24,7 +24,8 @@ static void multiply(int n, const int *first, const int *column, const double *a
         }
 }
 
-/* A five-point stencil's upper half: the diagonal, the right and the lower neighbour. */
+/* Fills the upper half of a five-point stencil's matrix: the diagonal, the right and the lower
+ * neighbour. Returns the number of entries. */
 static int fill_grid(int *first, int *column, double *a) {
     int entries = 0;
     for (int i = 0; i < ROWS; i++) {

@@ -12,9 +12,9 @@
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* Fractions of the requested error. aim: of the advised run before tolerances and solver are
- * chosen; of_algebra: caused by the tolerances; agreed: difference of the two most exact runs;
- * moved: perturbation of the start. */
+/* Fractions of the requested error. aim: error of the advised run before tolerances and solver are
+ * chosen. of_algebra: error that the tolerances may cause. agreed: difference of the two most exact
+ * runs. moved: perturbation of the start. */
 static const double aim = 0.85, of_algebra = 0.1, agreed = 0.3, moved = 1e-3;
 
 enum { MOST_RUNS = 24, METHODS = 3 };
@@ -31,7 +31,7 @@ typedef struct series {
     trial run[MOST_RUNS];
     int count;
     double difference; /* m, distance between the last two runs */
-    double usable;     /* difference if an error can be derived from it; otherwise NaN */
+    double usable;     /* equal to `difference` if an error can be derived from it; otherwise NaN */
     double error;      /* m, estimated error of the last run */
 } series;
 
@@ -40,9 +40,10 @@ typedef struct adviser {
     const mesh *cloth;
     double error; /* m, requested */
     int most_steps;
-    series of[METHODS]; /* the second-order methods first */
+    series of[METHODS]; /* the second-order integrators first */
     const measured *reference;
-    double doubt; /* m, the distance to the final state by a second method */
+    double doubt; /* m, distance between the reference and the final state by the second
+                   * integrator */
 } adviser;
 
 static const trial *last_of(const series *r) {
@@ -53,13 +54,15 @@ static int run_trial(const adviser *a, trial *t) {
     return measure(&t->settings, a->cloth, 1, ANY_REJECTIONS, &t->got);
 }
 
-/* Did the second run halve all steps? If the monitor cut the steps of both runs to one length, at
- * an impact, both have the same error there, and it cannot be derived from their difference. */
+/* Did the second run halve all steps? If the monitor cut the steps of both runs to one length, as
+ * at an impact, both runs have the same error there. The error then does not follow from their
+ * difference. */
 static bool are_all_halved(const measured *one, const measured *other) {
     return other->shortest < 0.75 * one->shortest;
 }
 
-/* Richardson's estimate, with no higher an order than the method has. */
+/* Estimates the last run's error by Richardson extrapolation. The assumed order of convergence is
+ * at most that of the integrator. */
 static void estimate_error(series *r) {
     const measured *before = &r->run[r->count - 2].got, *now = &last_of(r)->got;
     const double order = r->integrator == INTEGRATOR_LINEAR_EULER ? 1 : 2;
@@ -70,7 +73,8 @@ static void estimate_error(series *r) {
     r->error = rate > 1.2 ? usable / (rate - 1) : NAN;
 }
 
-/* One more run with twice the steps. 0; 1: too many steps; -1 after a message. */
+/* Makes one more run, with twice the steps. Returns 0, 1 if that is too many steps, or -1 after a
+ * message. */
 static int extend(const adviser *a, series *r) {
     const int least = a->base->time.steps / 8 > 4 ? a->base->time.steps / 8 : 4;
     const int steps = r->count > 0 ? 2 * last_of(r)->settings.time.steps : least;
@@ -90,7 +94,7 @@ static int extend(const adviser *a, series *r) {
     return 0;
 }
 
-/* Extends until the expected error is small enough. Returns as `extend`. */
+/* Extends the series until its expected error is small enough. Returns what `extend` returns. */
 static int reach(const adviser *a, series *r, double error) {
     while (r->count == 0 || !(r->error <= error)) {
         const int status = extend(a, r);
@@ -108,8 +112,8 @@ static void say_unreached(const series *r, double error, char *reason) {
              last_of(r)->settings.time.steps, r->difference, error);
 }
 
-/* Refines the second method until both final states agree. 0; 1: they do not agree; -1 after a
- * message. */
+/* Refines the second series until both final states agree. Returns 0, 1 with a reason if they do
+ * not agree, or -1 after a message. */
 static int check_by(adviser *a, const series *one, series *other, char *reason) {
     const double most = agreed * a->error;
     for (;;) {
@@ -134,8 +138,9 @@ static int check_by(adviser *a, const series *one, series *other, char *reason) 
     }
 }
 
-/* Sets a->reference: the final state by an integrator whose error decreases with its order,
- * confirmed by a second integrator. 0; 1 with a reason; -1 after a message. */
+/* Sets a->reference to the final state by an integrator whose error decreases with its order,
+ * confirmed by a second integrator. Returns 0, 1 with a reason why there is none, or -1 after a
+ * message. */
 static int find_reference(adviser *a, char *reason) {
     for (int k = 0; k < METHODS; k++) {
         int status = reach(a, &a->of[k], agreed * a->error);
@@ -160,8 +165,8 @@ static double error_of(const adviser *a, const measured *got) {
     return measured_distance(got, a->reference, NULL) + a->doubt;
 }
 
-/* The integrator's coarsest run that is exact enough; NULL if there is none, or if it takes longer
- * than `limit`. *status: -1 after a message. */
+/* Returns the integrator's coarsest run that is exact enough, or NULL if there is none or if it
+ * takes longer than `limit`. Sets *status to -1 after a message. */
 static const trial *coarsest(const adviser *a, series *r, double limit, int *status) {
     for (int k = 0;; k++) {
         if (k == r->count && (*status = extend(a, r)) != 0)
@@ -173,8 +178,8 @@ static const trial *coarsest(const adviser *a, series *r, double limit, int *sta
     }
 }
 
-/* Stores the fastest of the integrators' coarsest runs that are exact enough in *best. 0; 1: none
- * is; -1 after a message. */
+/* Stores in *best the fastest of the integrators' coarsest runs that are exact enough. Returns 0, 1
+ * if there is none, or -1 after a message. */
 static int choose_run(adviser *a, trial *best) {
     double least = INFINITY;
     for (int k = METHODS - 1; k >= 0; k--) {
@@ -192,8 +197,8 @@ static int choose_run(adviser *a, trial *best) {
     return run_trial(a, best);
 }
 
-/* Replaces *best by the run with other settings if that is exact enough and, unless `always`,
- * faster. 0; 1: it is not; -1 after a message. */
+/* Replaces *best by the run with these settings if that is exact enough and, unless `always`,
+ * faster. Returns 0, 1 if *best stays, or -1 after a message. */
 static int try_settings(const adviser *a, const scene *settings, bool always, trial *best) {
     trial other = {.settings = *settings};
     if (run_trial(a, &other) != 0)
@@ -208,8 +213,8 @@ static int try_settings(const adviser *a, const scene *settings, bool always, tr
     return 0;
 }
 
-/* Chooses the fastest solver in the first steps; a later one must take less than 0.8 of the time of
- * those before. */
+/* Chooses the solver that is fastest in the first 8 steps. A solver replaces those listed before it
+ * only if it takes less than 0.8 of their time. */
 static int choose_solver(const adviser *a, trial *best) {
     static const int solvers[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
                                      {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},
@@ -262,8 +267,8 @@ static int choose_tolerance(const adviser *a, trial *best) {
     return status;
 }
 
-/* *spread: the distance between the final states of *best and of the same run from a randomly
- * perturbed start. */
+/* Sets *spread to the distance between the final states of *best and of the same run from a
+ * randomly perturbed start. Returns 0, or -1 after a message. */
 static int spread_of(const adviser *a, const trial *best, double *spread) {
     mesh other;
     measured got = {0};

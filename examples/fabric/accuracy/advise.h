@@ -15,17 +15,17 @@
 typedef struct advice {
     scene settings;     /* the scene with the advised settings; shares the scene's lists */
     double error;       /* m rms at the end, an upper bound: the distance from the most exact run,
-                         * plus that run's distance from the final state by a second method */
-    double cpu_seconds; /* CPU time of the run, all threads */
-    double iterations;  /* of conjugate gradients, all steps together */
-    double spread;      /* m rms at the end, between runs whose starts differ by a thousandth of the
-                         * error */
+                         * plus that run's distance from the final state by the second integrator */
+    double cpu_seconds; /* CPU time of the advised run, all threads */
+    double iterations;  /* iterations of conjugate gradients in all steps */
+    double spread;      /* m rms distance at the end between runs whose starts differ by a
+                         * thousandth of the error */
 } advice;
 
 /**
  * Advises settings for an rms error (m) at the scene's end, with no more than `most_steps` steps.
- * 0; 1: refused, with the reason in reason[256]: two integrators do not agree, no run is exact
- * enough, or a tiny change of the start changes the end too much. -1 after a message.
+ * Returns 0, or -1 after a message, or 1 with a reason in reason[256]: two integrators do not
+ * agree, no run is exact enough, or a tiny change of the start changes the end too much.
  */
 int advise(const scene *s, const mesh *cloth, double error, int most_steps, advice *result,
            char *reason);

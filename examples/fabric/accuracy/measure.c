@@ -58,7 +58,8 @@ static void note_end(const simulation *sim, measured *result) {
     result->depth = faults.watched ? faults.deepest : NAN;
 }
 
-/* Rejected steps are repeated with half the length. */
+/* Returns the length of the shortest step: `nominal`, or half the length of the shortest rejected
+ * step, because a rejected step is repeated in halves. */
 static double shortest_step(const simulation *sim, double nominal) {
     int count;
     const rejection *rejected = simulation_rejections(sim, &count);

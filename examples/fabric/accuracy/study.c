@@ -37,8 +37,8 @@ int study_run(study *of, const char *experiment, const char *variant, const scen
     return 0;
 }
 
-/* Newton's method with 1e-6 has an error of some 1e-4 mm (accuracy newton), far below the
- * measured ones. */
+/* Returns the base scene with settings for a reference. Newton's method to 1e-6 has an error of
+ * some 1e-4 mm (accuracy newton), far below the measured ones. */
 static scene exact(const study *of, integrator_kind kind, int steps) {
     scene s = divided(&of->base, steps);
     s.time.integrator = (int)kind;
@@ -82,8 +82,8 @@ double scene_stiffness(const scene *s) {
     return s->material.stretch / (s->material.density * gravity * s->mesh.side);
 }
 
-/* Is the row on the Pareto front: does no other run, and no interpolation of two runs by a power of
- * time, have less error in the same time? */
+/* Is the row on the Pareto front of time and error? It is if no other run has less error in the
+ * same time, and no interpolation of two runs by a power of time does. */
 static int is_on_front(const study *of, const study_row *r) {
     for (int k = 0; k < of->row_count; k++)
         for (int m = 0; m < of->row_count; m++) {

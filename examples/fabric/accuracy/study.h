@@ -4,19 +4,19 @@
  * folder, most with these columns:
  *
  *   experiment, scene, vertices, variant  what was varied, as text
- *   step, tolerance                       time step, s; tolerance of what the experiment varies
+ *   step, tolerance                       time step, s; tolerance that the experiment varies
  *   steps, rejected                       accepted steps, and rejected ones
- *   cg_iterations, newton_iterations      all steps together, so without the machine's noise
- *   cpu_seconds                           of the steps, minimum of the repetitions
- *   error_rms, error_max                  m, against the reference at the end of the scene
- *   error_own                             m rms, against the same method with exact algebra, in
- *                                         experiments that run it
+ *   cg_iterations, newton_iterations      sums over all steps, free of timing noise
+ *   cpu_seconds                           CPU time of the steps, minimum of the repetitions
+ *   error_rms, error_max                  m, distance from the reference at the scene's end
+ *   error_own                             m rms, distance from the same method with exact algebra,
+ *                                         in experiments that run it
  *   front                                 1: on the Pareto front of time and error
- *   side, stiffness                       of the cloth, m; scene_stiffness
+ *   side, stiffness                       side of the cloth, m; its scene_stiffness
  *   contact, wind                         1 if the scene has colliders; if it has wind
- *   error_strain, error_energy            of the largest strain; of the energy, J; against the
- *                                         reference
- *   depth                                 m, of the deepest vertex in a collider during the run
+ *   error_strain, error_energy            differences of the largest strain and of the energy (J)
+ *                                         from the reference
+ *   depth                                 m, greatest depth of a vertex in a collider in the run
  */
 #ifndef FABRIC_ACCURACY_STUDY_H
 #define FABRIC_ACCURACY_STUDY_H
@@ -45,7 +45,8 @@ typedef struct study {
     int quick;                          /* fewer and coarser runs, for a test of the program */
     int steps[MOST_COUNTS], step_count; /* numbers of steps, ascending */
     measured reference;
-    double reference_gap; /* m rms, between the final states of the reference's two methods */
+    double reference_gap; /* m rms distance between the final states of the reference's two
+                           * integrators */
     study_row rows[MOST_ROWS];
     int row_count;
 } study;
@@ -54,15 +55,15 @@ typedef struct study {
  *  strain under its own weight. No unit. */
 double scene_stiffness(const scene *s);
 
-/** Runs the scene on a cloth, which need not be the study's, and adds the result to the rows. 0, or
- *  -1 after a message. */
+/** Runs the scene on a cloth, which need not be the study's, and appends the result to the rows.
+ *  Returns 0, or -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
               const mesh *cloth, double tolerance);
-/** Finds of->reference by the implicit midpoint. Doubles the steps a few times, until BDF2 differs
- * from it by at most a tenth of the midpoint's error in the study's finest run. 0, or -1 after a
- * message. */
+/** Computes of->reference by the implicit midpoint. Doubles the number of steps until BDF2 differs
+ *  from it by at most a tenth of the midpoint's error in the study's finest run. Returns 0, or -1
+ *  after a message. */
 int study_reference(study *of);
-/** Fills errors of all rows against the reference, and the front. */
+/** Computes the errors of all rows against the reference, and finds the Pareto front. */
 void study_compare(study *of);
 /**
  * Returns 0 if reference_gap is at most a tenth of the smallest error of the rows. Otherwise
@@ -70,28 +71,28 @@ void study_compare(study *of);
  * 0 in a quick study.
  */
 int study_trusts_reference(study *of);
-/** Opens folder/NAME for a table with other columns, and writes the line of columns. NULL after a
- *  message. */
+/** Opens folder/NAME for a table with other columns, and writes the line of column names. Returns
+ *  NULL after a message. */
 FILE *study_open(const study *of, const char *name, const char *columns);
-/** 0, or -1 after a message: not all of it was written. */
+/** Closes the table. Returns 0, or -1 after a message if not all of it was written. */
 int study_close(FILE *file);
-/** The lowest vertex' z, m: comparable between runs on different meshes. */
+/** Returns the z of the lowest vertex, m. It can be compared between runs on different meshes. */
 double lowest_point(int count, const double (*x)[3]);
-/** Writes folder/NAME.csv of all rows and forgets them. 0, or -1 after a message. */
+/** Writes folder/NAME.csv of all rows and removes the rows. Returns 0, or -1 after a message. */
 int study_write(study *of, const char *name);
 void study_free(study *of);
 
-/** The experiments: 0, or -1 after a message. */
+/** The experiments. Each returns 0, or -1 after a message. */
 int study_dt(study *of);         /* error against step and CPU time, every integrator */
 int study_cg(study *of);         /* error against the linear systems' tolerance */
 int study_newton(study *of);     /* error against Newton's tolerance */
-int study_integrator(study *of); /* energy in time; the step and stiffness that each survives */
+int study_integrator(study *of); /* energy over time; step and stiffness that a run survives */
 int study_preconditioner(
-    study *of);                 /* iterations and time to a tolerance, and the direct solution */
-int study_precision(study *of); /* float, mixed, double */
-int study_solver(study *of);    /* direct against iterative, over step and mesh */
+    study *of);                 /* iterations and time to tolerance; also the direct solution */
+int study_precision(study *of); /* error and time in float, mixed precision and double */
+int study_solver(study *of);    /* direct and iterative solution, over step and mesh */
 int study_sum(study *of);       /* the orders of reduction of the parallel program */
-int study_mesh(study *of);      /* finer meshes */
+int study_mesh(study *of);      /* lowest point and time against the number of vertices */
 int study_horizon(study *of);   /* divergence of runs with nearly equal starts */
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What integrators do to energy, which steps they survive, finer meshes, orders of reduction. */
+/* The experiments `integrator` (energy, and which steps survive), `mesh` (finer meshes) and `sum`
+ * (orders of reduction). */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +19,8 @@
 #include "step/integrator.h"
 #include "step/simulation_state.h"
 
-/* Writes the energy over time of the scene without dissipation, in the middle number of steps. */
+/* Writes the energy over time of the scene without damping and drag, with the middle number of
+ * steps. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
@@ -39,7 +41,8 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     return 0;
 }
 
-/* Writes whether a run of at least 3 steps and about 0.1 s survives this step and stiffness. */
+/* Writes the outcome of a run of at least 3 steps and about 0.1 s with this step and stiffness:
+ * whether it finishes, and whether steps were halved. */
 static int write_survival(study *of, integrator_kind kind, double step, double stretch,
                           FILE *file) {
     static const char *const outcomes[] = {"finished", "halved", "gave up"};
@@ -129,13 +132,13 @@ static const struct {
                 {"any", "expansion", "plain"},           {"any", "auto", "plain"}};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
-/* Time of a run: elapsed seconds, and CPU seconds of all threads. */
+/* Times of a run: elapsed seconds, and CPU seconds of all threads. */
 typedef struct {
     double elapsed, cpu;
 } spent;
 
-/* Runs this program on the scene in another process, because the runtime reads its environment
- * once. 0, or -1 after a message. */
+/* Runs this program on the scene in another process, because the runtime reads its environment only
+ * once. Returns 0, or -1 after a message. */
 static int run_child(const study *of, int variant, const char *threads, spent *it) {
     char program[] = "/proc/self/exe", yaml[FILE_PATH_SIZE], out[FILE_PATH_SIZE];
     if (files_join(yaml, of->folder, "sum.yaml") != 0 ||
@@ -166,7 +169,7 @@ static int run_child(const study *of, int variant, const char *threads, spent *i
     return 0;
 }
 
-/* The least times of all repetitions. */
+/* Finds the least times of all repetitions. Returns 0, or -1 after a message. */
 static int fastest_child(const study *of, int variant, const char *threads, spent *least) {
     *least = (spent){INFINITY, INFINITY};
     for (int n = 0; n < of->repeat; n++) {
@@ -186,7 +189,8 @@ static double farthest(const state *a, const state *b) {
     return most;
 }
 
-/* Each order at several thread counts, against the sequential loops. */
+/* Runs each order at several thread counts and compares the results with those of the sequential
+ * loops. */
 int study_sum(study *of) {
     static const char *const counts[] = {"1", "2", "3"};
     char path[FILE_PATH_SIZE], final_state[FILE_PATH_SIZE];

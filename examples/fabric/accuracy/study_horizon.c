@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The time after which chaos makes accuracy useless: runs with nearly equal starts. */
+/* The experiment `horizon`: the time after which chaos limits accuracy, from runs with nearly equal
+ * starts. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@ static const double moved = 1e-9;
 
 /* All runs of a scene, advanced together; [0] starts unperturbed. */
 typedef struct ensemble {
-    mesh cloth[1 + MOVED_RUNS]; /* the perturbed ones own only `position` */
+    mesh cloth[1 + MOVED_RUNS]; /* the perturbed meshes own only `position` */
     simulation *run[1 + MOVED_RUNS];
     int count;
 } ensemble;
@@ -25,7 +26,7 @@ static void ensemble_free(ensemble *all) {
     }
 }
 
-/* 0, or -1 after a message. */
+/* Adds a run with a perturbed start (the first: unperturbed). Returns 0, or -1 after a message. */
 static int ensemble_add(ensemble *all, const study *of, random_source *source) {
     const int r = all->count;
     mesh *cloth = &all->cloth[r];
@@ -38,7 +39,8 @@ static int ensemble_add(ensemble *all, const study *of, random_source *source) {
     return all->run[r] ? 0 : -1;
 }
 
-/* A row for each run; returns the root mean square of their distances from the first, m. */
+/* Writes a row for each run. Returns the root mean square of their distances from the first run,
+ * m. */
 static double write_rows(const study *of, const ensemble *all, FILE *file) {
     const int vertices = of->cloth.vertex_count;
     double squares = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Experiments on solving: steps, tolerances, preconditioners, precisions. */
+/* Experiments about solving the equations: steps, tolerances, preconditioners, precisions. */
 #include <math.h>
 #include <stdio.h>
 
@@ -11,8 +11,9 @@
 /* The variant that runs the scene unchanged, with its own integrator, step and tolerances. */
 static const char *const scene_default = "default";
 
-/* Runs a method with its best settings: the loosest tolerance that alone causes at most a tenth of
- * the error of time stepping, or the tightest tolerance. 0, or -1 after a message. */
+/* Runs an integrator with its best settings: the loosest tolerance that alone causes at most a
+ * tenth of the error of time stepping, or else the tightest one. Returns 0, or -1 after a
+ * message. */
 static int run_fairly(study *of, int kind, int steps) {
     static const double tolerances[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6};
     enum { COUNT = sizeof tolerances / sizeof *tolerances };
@@ -113,7 +114,8 @@ static int compare_kinds(study *of, const char *experiment, scene *s, int *chose
     return 0;
 }
 
-/* The scene in the middle number of steps, solved by conjugate gradients with Gauss-Seidel. */
+/* Returns the scene with the middle number of steps, solved by conjugate gradients with
+ * Gauss-Seidel. */
 static scene middle_scene(const study *of) {
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
     s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
@@ -142,7 +144,8 @@ int study_precision(study *of) {
     return study_write(of, "precision");
 }
 
-/* The cost of a step on one mesh with each solver, for several step lengths. */
+/* Measures the cost of a step on one mesh with each solver, for several step lengths. Returns 0, or
+ * -1 after a message. */
 static int compare_solvers(study *of, const mesh *cloth) {
     static const double steps[] = {0.001, 0.0033, 0.01, 0.033}, shortest = 0.02; /* s */
     static const struct {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Precedes each array, and is aligned for any type. */
+/** Header in front of each array. Its alignment makes the array suitable for any type. */
 typedef struct array_link {
     _Alignas(max_align_t) struct array_link *before;
 } array_link;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Arrays of one owner: allocated one by one, freed together. */
+/** Arrays that share an owner: allocated one by one, freed together. */
 #ifndef FABRIC_ARRAYS_H
 #define FABRIC_ARRAYS_H
 
@@ -11,14 +11,16 @@ typedef struct arrays {
     bool failed; /* an allocation has failed */
 } arrays;
 
-/** `count` items of `size` bytes, all 0. NULL without memory: then `failed` is set. */
+/** Allocates `count` items of `size` bytes, all 0. Returns NULL and sets `failed` if out of
+ *  memory. */
 void *arrays_add(arrays *of, size_t count, size_t size);
 
-/** Frees all. */
+/** Frees all arrays of the owner. */
 void arrays_free(arrays *of);
 
-/** Grows a single array, given by the address of its pointer, to at least `count` items of `size`
- *  bytes; *room is its capacity. 0, or -1: out of memory, and the array is unchanged. */
+/** Grows a single array to at least `count` items of `size` bytes. `address` is the address of its
+ *  pointer, and *room is its capacity in items. Returns 0, or -1 if out of memory or if `count`
+ *  exceeds INT_MAX; the array is then unchanged. */
 int array_grow(void *address, int *room, long count, size_t size);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Sums in chunks whose size depends on the count alone, so that the bits of a sum do not depend on
- *  the number of threads. A loop over chunks fills `sum`, [CHUNK_SUM_MOST]. */
+/** Sums over chunks of consecutive items. A chunk's length depends only on the number of items, so
+ *  a sum has the same bits at any number of threads. The caller's loop over chunks fills
+ *  sum[CHUNK_SUM_MOST]. */
 #ifndef FABRIC_CHUNK_SUM_H
 #define FABRIC_CHUNK_SUM_H
 
@@ -16,7 +17,7 @@ static inline int chunk_sum_chunks(int count) {
     return (count + length - 1) / length;
 }
 
-/** One past the chunk's last index. */
+/** One past the index of the chunk's last item. */
 static inline int chunk_sum_end(int count, int chunk) {
     const int end = (chunk + 1) * chunk_sum_length(count);
     return end < count ? end : count;

@@ -8,26 +8,28 @@
 enum { FILE_PATH_SIZE = 4096 };
 
 /**
- * The file of a scene: a path (with '/' or ending in .yaml), or a bare name in the scenes folder,
- * which is $FABRIC_SCENES or ../share/fabric/scenes as seen from the program's own folder.
- * 0, or -1 after a message that lists the available scenes.
+ * Finds the file of a scene. `name` is a path (it contains '/' or ends in .yaml) or a bare name in
+ * the scenes folder. That folder is $FABRIC_SCENES or, if unset, ../share/fabric/scenes relative to
+ * the program's own folder. Returns 0, or -1: a path is too long, or, after a message, the scene is
+ * unknown.
  */
 int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 
-/** "folder/name". 0, or -1 after a message when that is too long. */
+/** Writes "folder/name" to `path`. Returns 0, or -1 after a message if it is too long. */
 int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
 
-/** "FOLDER/name", FOLDER being that of the running program. 0, or -1: the folder is unknown. */
+/** Writes the path of file `name` in the running program's folder. Returns 0, or -1 if the folder
+ *  is unknown or the path too long. */
 int files_in_program_folder(char path[FILE_PATH_SIZE], const char *name);
 
-/** Opens a file to be read, as bytes. NULL after a message. */
+/** Opens a file for reading in binary mode. Returns NULL after a message if that fails. */
 FILE *files_open(const char *path);
 
-/** Makes a folder and those above it. 0, or -1 after a message. */
+/** Creates a folder and its missing parents. Returns 0, or -1 after a message. */
 int files_make_folder(const char *path);
 
-/** *numbers: the numbers of the files DIGITS.suffix in a folder, ascending, to be freed. Returns
- *  their count, or -1 after a message. */
+/** Finds the files in `folder` whose names are up to 9 digits followed by `suffix`. Sets *numbers
+ *  to their numbers, ascending; the caller frees it. Returns their count, or -1 after a message. */
 int files_numbered(const char *folder, const char *suffix, long **numbers);
 
 #endif

@@ -55,7 +55,8 @@ static int complain_unknown(const options *o, const char *word, int length) {
     return WRONG;
 }
 
-/** An option's value: after its '=', or the next word. */
+/** Sets o->value to the option's value, which follows '=' or is the next argument. Returns 0, or -1
+ *  after a message. */
 static int take_value(options *o, const option *known, const char *equals) {
     o->value = NULL;
     if (!known->argument && equals) {
@@ -74,7 +75,7 @@ static int take_value(options *o, const option *known, const char *equals) {
     return -1;
 }
 
-/** Reads the next word: the option's index, or END, WORD, ... */
+/** Reads the next argument. Returns an option's index in the table, or END, WORD, HELP or WRONG. */
 static int read_next(options *o) {
     if (o->next >= o->argc)
         return END;

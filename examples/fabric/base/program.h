@@ -5,9 +5,8 @@
 
 #include "base/options.h"
 
-/** Runs the command that argv[1] names; `purpose` is the first sentence of --help. Sets
- *  program_name. Returns the exit status; EXIT_USAGE after a message if there is no such command.
- */
+/** Runs the command that argv[1] names and sets program_name. `purpose` is the first sentence of
+ *  --help. Returns the exit status, which is EXIT_USAGE if there is no such command. */
 int program_run(const char *purpose, const command *const *commands, int count, int argc,
                 char **argv);
 

@@ -18,12 +18,13 @@ static inline uint64_t random_bits(random_source *source) {
     return z ^ (z >> 31);
 }
 
-/** Uniform in [-1, 1). */
+/** Returns a number uniform in [-1, 1). */
 static inline double random_signed(random_source *source) {
     return (double)(random_bits(source) >> 11) * 0x1p-52 - 1.0;
 }
 
-/** Uniform in 0 .. count - 1 (count > 0); its bias of 2^-32 * count is negligible here. */
+/** Returns a number uniform in 0 .. count - 1 (count > 0). Its bias of 2^-32 * count is negligible
+ *  here. */
 static inline int random_below(random_source *source, int count) {
     return (int)(((random_bits(source) >> 32) * (uint64_t)count) >> 32);
 }

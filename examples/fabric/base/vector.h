@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Vectors of three doubles. Results are written last: an output may be one of the inputs. */
+/** Vectors of three doubles. An output may be one of the inputs. */
 #ifndef FABRIC_VECTOR_H
 #define FABRIC_VECTOR_H
 
@@ -41,7 +41,7 @@ static inline double vector_unit(const double a[3], double unit[3]) {
     return length;
 }
 
-/** The normal of the triangle a b c; its length is twice the triangle's area. */
+/** Computes the normal of the triangle a b c; its length is twice the triangle's area. */
 static inline void vector_normal(const double a[3], const double b[3], const double c[3],
                                  double normal[3]) {
     double one[3], other[3];
@@ -58,7 +58,8 @@ static inline void vector_add_scaled(const double a[3], double factor, const dou
     sum[2] = a[2] + factor * b[2];
 }
 
-/** The same vectors, as const. (C does not convert to a pointer to const arrays implicitly.) */
+/** Returns the same array with const elements. (C has no such implicit conversion of pointers to
+ *  arrays.) */
 static inline const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
 }

@@ -10,7 +10,8 @@ static int least(int a, int b) {
     return a < b ? a : b;
 }
 
-/** Optimal string alignment distance (Damerau 1964, Levenshtein 1966) of words up to LONGEST. */
+/** Optimal string alignment distance (Damerau 1964, Levenshtein 1966) between two words of at most
+ *  LONGEST letters. */
 static int edit_distance(const char *a, const char *b) {
     int rows[3][LONGEST + 1], *before = rows[0], *last = rows[1], *row = rows[2];
     const int a_length = (int)strlen(a), b_length = (int)strlen(b);
@@ -34,7 +35,7 @@ static int edit_distance(const char *a, const char *b) {
 const char *words_nearest(const char *word, const char *const *words, int count) {
     const char *nearest = NULL;
     const size_t length = strlen(word);
-    int best = 2 + (int)length / 4; /* the hint would be a guess at a larger distance */
+    int best = 2 + (int)length / 4; /* at a larger distance the hint would be a guess */
     if (length > LONGEST)
         return NULL;
     for (int k = 0; k < count; k++) {

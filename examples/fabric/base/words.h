@@ -4,8 +4,8 @@
 #define FABRIC_WORDS_H
 
 /**
- * The nearest of the `count` words: fewest letters inserted, left out, exchanged for another or
- * swapped with their neighbour. NULL if none is near enough. Thread-safe.
+ * Returns the nearest of the `count` words: the one with the fewest letters inserted, deleted,
+ * replaced or swapped with a neighbour. Returns NULL if none is near enough. Thread-safe.
  */
 const char *words_nearest(const char *word, const char *const *words, int count);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric accuracy: what accuracy costs, and which settings reach a given error. */
+/* fabric accuracy: measures what accuracy costs, and finds settings that reach a given error. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +29,7 @@ typedef struct request {
     double error;            /* m; 0: none given */
 } request;
 
-/* "1mm", "0.001", "50um". */
+/* Takes a length such as "1mm", "0.001" (m) or "50um". */
 static int take_length(const options *o, void *length) {
     static const struct {
         const char *name;
@@ -74,7 +74,7 @@ static int take_word(const options *o, void *to) {
     return options_complain(o->of, "one experiment at a time, not '%s' as well", o->value);
 }
 
-/** Exit status, or OPTIONS_READ. */
+/** Reads the command line. Returns OPTIONS_READ, or the exit status. */
 static int read_request(const command *self, int argc, char **argv, request *r) {
     const int status = options_read(self, argc, argv, r, take_word);
     if (status != OPTIONS_READ)

@@ -17,7 +17,7 @@ extern const command accuracy_command;
 /** Maximum number of `--set` options. */
 enum { MOST_SETTINGS = 256 };
 
-/** The values of `--set`, by reference. */
+/** Pointers to the values of the `--set` options. */
 typedef struct setting_list {
     const char *setting[MOST_SETTINGS];
     int count;
@@ -33,10 +33,10 @@ int take_setting(const options *o, void *list);
             .kind = OPTION_OWN, .offset = offsetof(request_, settings), .take = take_setting       \
     }
 
-/** Applies the settings to the scene. 0, or -1 after a message: then the scene is empty. */
+/** Applies the settings to the scene. Returns 0, or -1 after a message; the scene is then empty. */
 int make_settings(scene *s, const setting_list *settings);
 
-/** Finds and reads a scene and applies the settings. 0, or -1 after a message. */
+/** Finds and reads a scene and applies the settings. Returns 0, or -1 after a message. */
 int read_scene(scene *s, const char *name, const setting_list *settings);
 
 #endif

@@ -14,7 +14,7 @@ enum { EXIT_DIFFERENT = 1, EXIT_UNUSABLE = 2 };
 typedef struct request {
     const char *path[2];
     int count;
-    double tolerance; /* m; below 0: to the bit */
+    double tolerance; /* m; below 0: all bits must be equal */
 } request;
 
 static const option compare_options[] = {
@@ -24,13 +24,13 @@ static const option compare_options[] = {
 
 /** The largest difference of two arrays of numbers. */
 typedef struct difference {
-    long numbers;   /* numbers that differ */
-    double largest; /* infinite if either is NaN */
-    int vertex;     /* original number of the vertex where `largest` is */
-    uint64_t ulps;  /* the most numbers representable between the two, plus one */
+    long numbers;   /* how many numbers differ */
+    double largest; /* infinite if one of the numbers is NaN */
+    int vertex;     /* original number of the vertex with the largest difference */
+    uint64_t ulps;  /* largest distance in units in the last place (ulps) */
 } difference;
 
-/** The rank of a double among all doubles; both zeros have the same. */
+/** Returns the rank of a double among all doubles; both zeros have the same rank. */
 static int64_t place_of(double value) {
     int64_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -67,7 +67,7 @@ static difference differ(const double *a, const int *a_place, const double *b, c
     return d;
 }
 
-/** Index of each vertex of the generated mesh in the state; NULL after a message. */
+/** Returns the index in the state of each vertex of the generated mesh, or NULL after a message. */
 static int *places_of(const state *s, const char *path) {
     int *place = malloc((size_t)s->vertex_count * sizeof *place);
     if (!place) {
@@ -100,7 +100,8 @@ static int same_mesh(const state *a, const state *b) {
     return a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count;
 }
 
-/** tolerance < 0: to the bit. */
+/** Prints the differences and returns the exit status. If tolerance (m) is negative, all bits must
+ *  be equal; otherwise only positions are compared. */
 static int compare(const state *a, const int *a_place, const state *b, const int *b_place,
                    double tolerance) {
     const int count = a->vertex_count;

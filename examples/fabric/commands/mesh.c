@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric mesh: generates meshes, and renumbers and describes those of files. */
+/* fabric mesh: generates meshes; renumbers and describes meshes from files. */
 #include "mesh/mesh.h"
 
 #include <math.h>
@@ -71,7 +71,7 @@ static int check_request(const command *self, const request *r) {
     return 0;
 }
 
-/** Smallest and largest angle of all triangles, degrees. */
+/** Finds the smallest and largest angle of all triangles, degrees. */
 static void angle_range(const mesh *m, double *least, double *greatest) {
     *least = 180.0;
     *greatest = 0.0;
@@ -88,7 +88,7 @@ static void angle_range(const mesh *m, double *least, double *greatest) {
         }
 }
 
-/** Largest and mean difference between the numbers of an edge's two vertices. */
+/** Computes the largest and the mean difference between the numbers of an edge's two vertices. */
 static void edge_spans(const mesh *m, int *longest, double *mean) {
     double sum = 0.0;
     *longest = 0;
@@ -142,7 +142,8 @@ static int write_numbers(const char *name, const int *number, int count) {
     return 0;
 }
 
-/** Reads `count` numbers, and no more. -1 with a message in error. */
+/** Reads `count` numbers from a file that must have no more. Returns 0, or -1 with a message in
+ *  error. */
 static int read_numbers(const char *name, int *number, int count, char *error) {
     FILE *file = fopen(name, "r");
     int read = 0, more;
@@ -159,7 +160,8 @@ static int read_numbers(const char *name, int *number, int count, char *error) {
     return whole ? 0 : -1;
 }
 
-/** Applies the requested order, or undoes one. -1 after a message, or with one in error. */
+/** Applies the requested order, or undoes an order. Returns 0, or -1 with a message printed or in
+ *  error. */
 static int change_order(const request *r, mesh *m, char *error) {
     int *number = malloc((size_t)m->vertex_count * sizeof *number);
     int status = -1;

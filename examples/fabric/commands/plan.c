@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric plan: the effects of a scene, without running it. */
+/* fabric plan: prints the effects of a scene without running it. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -33,8 +33,8 @@ static void print_events(const scene *s) {
         putchar('\n');
 }
 
-/* Resident memory of code and libraries' tables, bytes: touched in the first steps (0.7 to 1.2 MiB
- * measured), and by the first direct solution in CHOLMOD and BLAS. */
+/* Resident memory, bytes, of code and libraries' tables that are first touched in the first steps
+ * (0.7 to 1.2 MiB measured), or by the first direct solution in CHOLMOD and BLAS. */
 static const double text_of_steps = 0.9 * 1024 * 1024, text_of_direct = 0.8 * 1024 * 1024;
 
 /* Memory of the process before the cloth is made. */

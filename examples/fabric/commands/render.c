@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric render and export: become fabric-view. */
+/* fabric render and fabric export: replace this process by fabric-view. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -64,7 +64,7 @@ static void set_threads(long threads) {
 #endif
 }
 
-/** Checks combinations of options. Exit status, or OPTIONS_READ. */
+/** Checks combinations of options. Returns OPTIONS_READ, or the exit status. */
 static int check_request(const command *self, const run_request *r) {
     if (!r->scene_name && !r->resume)
         return options_complain(self, "which scene? %s", self->synopsis);
@@ -81,7 +81,7 @@ static int take_word(const options *o, void *request) {
     return options_only_word(o, &((run_request *)request)->scene_name, "scene");
 }
 
-/** Exit status, or OPTIONS_READ. */
+/** Reads the command line. Returns OPTIONS_READ, or the exit status. */
 static int read_request(const command *self, int argc, char **argv, run_request *r) {
     const int status = options_read(self, argc, argv, r, take_word);
     return status == OPTIONS_READ ? check_request(self, r) : status;
@@ -111,8 +111,8 @@ int read_scene(scene *s, const char *name, const setting_list *settings) {
     return make_settings(s, settings);
 }
 
-/** Sets the scene and the start of the run: its beginning, or a checkpoint. 0, or -1 after a
- * message. */
+/** Sets the scene and the state from which the run starts: the scene's beginning, or a checkpoint.
+ *  Returns 0, or -1 after a message. */
 static int begin(cloth_run *run, const run_request *r) {
     if (r->resume)
         return run_resume(run, r);
@@ -143,7 +143,7 @@ static int make_mesh(cloth_run *run) {
     return 0;
 }
 
-/** 0; 1: interrupted, and the step is undone; or -1 after a message. */
+/** Takes one step. Returns 0, or 1 if interrupted (the step is undone), or -1 after a message. */
 static int take_step(cloth_run *run) {
     char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
@@ -158,7 +158,8 @@ static int take_step(cloth_run *run) {
     return 0;
 }
 
-/** Writes the outputs of a step: a frame, a checkpoint. `ends`: it is the last step of this run. */
+/** Writes the outputs of a step: a frame and a checkpoint, if due. `ends` is true after the last
+ *  step of this process. Returns 0, or -1 after a message. */
 static int keep_step(cloth_run *run, int ends) {
     const long every = run->record.every;
     const int done = run->record.step == run->of.time.steps;
@@ -168,7 +169,7 @@ static int keep_step(cloth_run *run, int ends) {
     return is_due || (ends && !done) ? run_save(run) : 0;
 }
 
-/** Takes the remaining steps and reports progress. 0, or -1 after a message. */
+/** Takes the remaining steps and reports progress. Returns 0, or -1 after a message. */
 static int take_steps(cloth_run *run, const run_request *r) {
     const long steps = run->of.time.steps;
     const long last = r->stop_after != NOT_GIVEN && r->stop_after < steps ? r->stop_after : steps;
@@ -239,7 +240,8 @@ static int make_simulation(cloth_run *run, const run_request *r) {
     return -1;
 }
 
-/** Removes and writes nothing before the simulation has been made without errors. */
+/** Makes and runs the simulation. Removes and writes nothing before the simulation has been made
+ *  without errors. */
 static int simulate(cloth_run *run, const run_request *r) {
     return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run, r) == 0 &&
                    run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0

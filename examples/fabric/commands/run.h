@@ -16,11 +16,13 @@ typedef struct run_request {
     const char *scene_name; /* NULL: the scene of the resumed run */
     const char *folder;     /* NULL: named after the scene */
     const char *resume;     /* NULL: a new run */
-    long steps;             /* NOT_GIVEN: the scene's */
-    long stop_after;        /* NOT_GIVEN: the last step */
-    long threads;           /* 0: the fastest number */
-    long frames;            /* NOT_GIVEN: FRAMES, or the resumed run's */
-    long every;             /* steps between checkpoints; NOT_GIVEN: 0, or the resumed run's */
+    long steps;             /* number of steps; NOT_GIVEN: the scene's */
+    long stop_after;        /* step after which the run ends; NOT_GIVEN: the last */
+    long threads;           /* number of threads; 0: the fastest number */
+    long frames;            /* number of states kept for pictures; NOT_GIVEN: FRAMES, or the resumed
+                             * run's number */
+    long every;             /* number of steps between checkpoints; NOT_GIVEN: 0, or the resumed
+                             * run's */
     int progress;           /* progress_style */
     setting_list settings;
 } run_request;
@@ -32,31 +34,33 @@ typedef struct cloth_run {
     int *original; /* [vertices] number of each vertex in the mesh as generated */
     simulation *sim;
     run_record record;
-    checkpoint from; /* where the run continues; empty: a new run */
+    checkpoint from; /* checkpoint from which the run continues; empty for a new run */
     char from_path[FILE_PATH_SIZE];
     char folder[FILE_PATH_SIZE];
     char frames_folder[FILE_PATH_SIZE];
     run_account account;
 } cloth_run;
 
-/** Makes the folder and removes an older run's files of steps after record.step (for a new run: all
- *  its files), so that they are not mistaken for this run's. 0, or -1 after a message. */
+/** Creates the folder and removes an older run's results, so that they are not mistaken for this
+ *  run's. A resumed run keeps its frames up to record.step and its checkpoint. Returns 0, or -1
+ *  after a message. */
 int run_prepare_folder(cloth_run *run, const run_request *r);
 
-/** If record.step is a frame, writes its state for pictures. 0, or -1 after a message. */
+/** If record.step is a frame, writes its state for pictures. Returns 0, or -1 after a message. */
 int run_write_frame(const cloth_run *run);
 
-/** Writes the last state and the summary. 0, or -1 after a message. */
+/** Writes the last state and the summary. Returns 0, or -1 after a message. */
 int run_write_results(const cloth_run *run);
 
-/** Reads scene and state from a checkpoint; scene settings on the command line must be the same.
- *  0, or -1 after a message. */
+/** Reads scene and state from a checkpoint. A scene and settings on the command line must agree
+ *  with the checkpoint's. Returns 0, or -1 after a message. */
 int run_resume(cloth_run *run, const run_request *r);
 
-/** Restores the state of the simulation, which has been made. 0, or -1 after a message. */
+/** Restores the checkpoint's state in run->sim. Returns 0, or -1 after a message. */
 int run_restore(cloth_run *run);
 
-/** Writes the checkpoint of record.step. 0, or -1 after a message: an older one is unchanged. */
+/** Writes the checkpoint of record.step. Returns 0, or -1 after a message; an older checkpoint is
+ *  then unchanged. */
 int run_save(cloth_run *run);
 
 /** Removes the checkpoint of a finished run. */

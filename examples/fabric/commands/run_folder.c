@@ -45,8 +45,9 @@ static void remove_old_results(const cloth_run *run) {
     remove_frames(run, goes_on ? run->record.step : -1);
 }
 
-/** Sets run->folder: that of the resumed run; otherwise by default the scene's name without folders
- *  and .yaml, followed by "-run". */
+/** Sets run->folder unless a run is resumed (then it is that run's), and run->frames_folder. The
+ *  default is the scene's name without folders and .yaml, followed by "-run". Returns 0, or -1
+ *  after a message. */
 static int name_folder(cloth_run *run, const run_request *r) {
     if (!run->from.memory) {
         const char *slash = strrchr(r->scene_name, '/');
@@ -65,7 +66,8 @@ static int name_folder(cloth_run *run, const run_request *r) {
     return files_join(run->frames_folder, run->folder, "frames");
 }
 
-/** Frames at step 0, at the last, and evenly distributed between them. */
+/** Is the step a frame? Frames are step 0, the last step, and steps evenly distributed between
+ *  them. */
 static int is_frame(const cloth_run *run, long step) {
     const long steps = run->of.time.steps, frames = run->record.frames, gaps = frames - 1;
     return frames > 0 && (step == 0 || step == steps ||
@@ -78,7 +80,7 @@ static int frame_path(const cloth_run *run, long step, char path[FILE_PATH_SIZE]
     return files_join(path, run->frames_folder, name);
 }
 
-/** Prints which frames of earlier steps are missing: a resumed run does not write them again. */
+/** Prints how many frames of earlier steps are missing: a resumed run does not write them again. */
 static void report_missing_frames(const cloth_run *run) {
     char path[FILE_PATH_SIZE];
     long missing = 0;

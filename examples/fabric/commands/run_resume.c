@@ -44,7 +44,8 @@ static int read_wanted_scene(cloth_run *run, const run_request *r) {
     return make_settings(&run->of, &r->settings);
 }
 
-/** Chooses the number of steps. That of a scene named on the command line is only a default. */
+/** Chooses the number of steps: the option's, or the checkpoint's if the command line names a
+ *  scene. Returns 0, or -1 after a message. */
 static int choose_steps(cloth_run *run, const run_request *r) {
     if (r->steps != NOT_GIVEN)
         run->of.time.steps = (int)r->steps;

@@ -11,7 +11,7 @@
 #include "motion.h"
 #include "shape.h"
 
-/* Refuses scenes that the barrier does not support. */
+/* Rejects scenes that the barrier does not support, with a message in error[200]. */
 static int check_scene(const scene *s, char *error) {
     for (int n = 0; n < s->collider_count; n++) {
         const collider *k = &s->colliders[n];
@@ -110,9 +110,10 @@ static double greatest_reach(const scene *s) {
     return most;
 }
 
-/* Sets the stiffness to m reach (reach / h^2 + g): a vertex of mean mass m comes to rest at about
- * half its reach under its own weight, and is stopped there within a step. Greater forces press it
- * nearer; the logarithm keeps the distance above 0. */
+/* Sets the stiffness to m reach (reach / h^2 + g), with the mean mass m, the scene's step h and
+ * gravity g. A vertex of mass m then comes to rest at about half its reach under its own weight,
+ * and is stopped there within a step. Greater forces press it nearer; the logarithm keeps the
+ * distance above 0. */
 static void set_stiffness(barrier *b, double reach, const double *mass) {
     const scene *s = b->scene;
     double sum = 0;

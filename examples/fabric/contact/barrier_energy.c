@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The barrier's energy, its gradient, and a positive semidefinite approximation of its Hessian.
+ * The barrier's energy B (barrier.h), its gradient, and a positive semidefinite approximation of
+ * its Hessian.
  *
- * With u = sum w_k x_k, d = |u| and n = u / d, the gradient of d with respect to x_k is exactly
- * w_k n: at the nearest points, changes of the weights do not contribute. Of the Hessian
+ * Let x_k be the vertices' positions and w_k the weights of the nearest points (nearest.h). With u
+ * = sum w_k x_k, d = |u| and n = u / d, the gradient of d with respect to x_k is exactly w_k n: at
+ * the nearest points, changes of the weights do not contribute. With B' and B'' the derivatives of
+ * B with respect to d, block (i, j) of the Hessian is
  *
- *     B'' w_i w_j n n' + B' (d2 d),   B'' > 0, B' < 0
+ *     B'' w_i w_j n n' + B' d_ij,   B'' > 0, B' < 0, d_ij: second derivative of d
  *
- * only the first term is used, which is positive semidefinite (Gauss-Newton). Newton's method still
- * converges to a zero of the gradient, along another path. The factor e for parallel edges is
- * treated alike: B de/dc 2 J'J with J the derivative of e1 x e2.
+ * Only the first term is used, which is positive semidefinite (Gauss-Newton). Newton's method still
+ * converges to a zero of the gradient. The factor e(c) for parallel edges is treated in the same
+ * way: its term of the Hessian is B de/dc 2 J'J with the Jacobian J of e1 x e2.
  */
 #include "barrier.h"
 
@@ -66,7 +69,7 @@ static mollifier mollify(const barrier *b, const barrier_pair *pair, const doubl
     return m;
 }
 
-/* The normal force of the pair, N. */
+/* Returns the normal force of the pair, N. */
 static double force_of(const barrier *b, const barrier_contact *touch, const double (*x)[3]) {
     double at[4][3];
     barrier_gather(touch->pair.vertex, x, at);
@@ -103,7 +106,8 @@ static void add_blocks(double factor, const double weight[4], const double m[3][
                     block[k][r][c] += factor * weight[p] * weight[q] * m[r][c];
 }
 
-/* y = e1 x e2 changes with vertex k by J_k dx = sign (other x dx): `other` is the other edge. */
+/* Adds the terms of the factor e. When vertex k moves by dx, y = e1 x e2 changes by J_k dx = sign
+ * (other x dx); `other` is the edge without vertex k. */
 static void add_mollifier(double energy, const mollifier *m, barrier_element *e) {
     static const double sign[4] = {1, -1, -1, 1};
     int k = 0;
@@ -115,7 +119,7 @@ static void add_mollifier(double energy, const mollifier *m, barrier_element *e)
         for (int q = p; q < 4; q++, k++) {
             const double *of = m->edge[q < 2], both = vector_dot(other, of);
             const double factor = 2 * energy * m->slope * sign[p] * sign[q];
-            for (int r = 0; r < 3; r++) /* J_p' J_q = (a.b) I - b a' */
+            for (int r = 0; r < 3; r++) /* J_p' J_q = (a.b) I - b a' with a = other, b = of */
                 for (int c = 0; c < 3; c++)
                     e->block[k][r][c] += factor * ((r == c ? both : 0) - of[r] * other[c]);
         }
@@ -139,7 +143,8 @@ static void make_contact(const barrier *b, const barrier_contact *touch, const d
         add_mollifier(of.value, &m, e);
 }
 
-/* How far the features have slipped along each other since the step began, m. */
+/* Computes how far the features have slipped along each other since the step began. Returns the
+ * length, m. */
 static double slip_of(const barrier *b, const barrier_grip *grip, const double (*x)[3],
                       double slip[3]) {
     const nearest *at = &grip->touch.at;
@@ -155,7 +160,8 @@ static double slip_of(const barrier *b, const barrier_grip *grip, const double (
 }
 
 /*
- * Li et al. 2020, equations 19 to 21: a slip of y m has the potential most f0(y), f0' = f1, with
+ * Li et al. 2020, equations 19 to 21: with the greatest friction force `most`, a slip of y m has
+ * the potential most f0(y), f0' = f1, with
  *     f1 = 2 y / e - (y / e)^2   y < e = h slip_speed, else 1
  */
 double barrier_friction(const barrier *b, double h, const double (*x)[3]) {
@@ -173,7 +179,8 @@ double barrier_friction(const barrier *b, double h, const double (*x)[3]) {
     return chunk_sum_all(count, sum);
 }
 
-/* The Hessian f1 / y (I - n n' - t t') + f1' t t', t = slip / y, is positive semidefinite. */
+/* The Hessian, `most` times f1 / y (I - n n' - t t') + f1' t t' with t = slip / y, is positive
+ * semidefinite. */
 static void make_grip(const barrier *b, const barrier_grip *grip, double h, const double (*x)[3],
                       barrier_element *e) {
     const double small = h * b->slip_speed;

@@ -21,7 +21,8 @@ void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[
     }
 }
 
-/* Upper bound on the decrease of the distance during the displacement, m. */
+/* Returns an upper bound on the decrease of the features' distance during the displacement, m. The
+ * first feature has `firsts` vertices. */
 static double greatest_approach(const int vertex[4], const double (*displacement)[3], int firsts) {
     double of[2] = {0, 0};
     for (int k = 0; displacement && k < 4; k++) {
@@ -31,8 +32,9 @@ static double greatest_approach(const int vertex[4], const double (*displacement
     return of[0] + of[1];
 }
 
-/* The reach of a pair of the cloth: the gap, but at most half the rest distance of features of one
- * component. Otherwise triangles smaller than the gap would repel their neighbours. */
+/* Returns the reach of a pair of the cloth: the gap, but for features of one component at most half
+ * their rest distance and at least a hundredth of the gap. Otherwise triangles smaller than the gap
+ * would repel their neighbours. */
 static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     const double gap = b->scene->self_collision.gap;
@@ -45,7 +47,7 @@ static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     return fmin(gap, fmax(found.distance / 2, gap / 100));
 }
 
-/* Converts a pair of the grid; its reach is 0 if the barrier does not need it. */
+/* Converts a pair of the grid; its reach is 0 if all its vertices belong to bodies. */
 static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     barrier_pair pair = {.kind = from->is_edges ? BARRIER_EDGES : BARRIER_VERTEX, .collider = -1};
     int of_bodies = 1;
@@ -112,8 +114,8 @@ static void add_plane(const barrier *b, int point, const double (*x)[3],
     }
 }
 
-/* The largest distance of a vertex from its position at the last search, during the displacement,
- * m. */
+/* Returns the largest distance, m, of a vertex from its position at the last search, at the
+ * beginning or end of the displacement. */
 static double distance_from_search(const barrier *b, const double (*x)[3],
                                    const double (*displacement)[3]) {
     double most = 0;
@@ -129,8 +131,8 @@ static double distance_from_search(const barrier *b, const double (*x)[3],
     return most;
 }
 
-/* Removes the candidates that cannot come within their reach while all vertices stay in the margin.
- */
+/* Removes the candidates that cannot come within their reach while no vertex moves by more than the
+ * margin. */
 static void drop_far_candidates(barrier *b, const double (*x)[3]) {
     self_pair *candidate = b->search.pair;
     const int found = b->search.pair_count;

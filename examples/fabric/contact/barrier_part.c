@@ -10,18 +10,17 @@
 
 #include "base/vector.h"
 
-/* A pair keeps at least this fraction of its distance beyond the minimum below. */
+/* A pair keeps at least this fraction of its distance beyond the minimum distance. */
 static const double kept = 0.1;
 /* The minimum distance, as a fraction of the reach. Without it, repeated approaches by nine tenths
  * of the distance would reach the size of rounding errors, at which the side of a vertex is
  * undefined.
  */
 static const double kept_reach = 1e-6;
-/* After this number of advances the current fraction is returned: every intermediate value is safe.
- */
+/* After this number of advances the fraction reached so far is returned, which is always safe. */
 enum { most_advances = 1000 };
 
-/* Makes the displacements relative to the pair's mean; returns an upper bound on the features'
+/* Makes the displacements relative to the pair's mean. Returns an upper bound on the features'
  * approach. */
 static double approach(const barrier_pair *pair, double displacement[4][3]) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;

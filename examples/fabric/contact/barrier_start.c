@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Refuses starts with edges through triangles, vertices in solid bodies or features that touch.
- * The message names the first of them by the vertex numbers of the file (from 1). */
+/* Rejects starts with edges through triangles, vertices in solid bodies or features that touch. The
+ * message names the first such feature by the vertex numbers of the mesh file (from 1). */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +39,7 @@ static extent extent_of(const barrier *b, int triangle) {
     return e;
 }
 
-/* Six times the volume of the four points. */
+/* Six times the volume of the tetrahedron a b c d. */
 static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
     double ad[3], cross[3];
     vector_subtract(d, a, ad);
@@ -47,12 +47,12 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
-/* Whether the edge goes through the triangle. An end that is beyond the plane by no more than
- * rounding counts as in the plane; the test for touching features covers it. */
+/* Does the edge go through the triangle? If so, fills *found. An end that is beyond the plane by no
+ * more than rounding counts as in the plane; check_touches finds such features. */
 static int crosses(const barrier *b, const int edge[2], const int triangle[3],
                    barrier_crossing *found) {
     const double *p = b->x[edge[0]], *q = b->x[edge[1]], *x[3];
-    const double rounding = 1e-9; /* of the edge's length */
+    const double rounding = 1e-9; /* relative to the edge's length */
     double along[3], *weight = found->weight;
     for (int k = 0; k < 3; k++) {
         x[k] = b->x[triangle[k]];
@@ -83,7 +83,8 @@ static int number_of(const barrier *b, int vertex) {
     return (b->cloth->number ? b->cloth->number[vertex] : vertex) + 1;
 }
 
-/* "edge 3 4" or "triangle 5 6 7" of the cloth, or "edge of colliders.2". */
+/* Writes the feature's name: "edge 3 4" or "triangle 5 6 7" of the cloth, or "edge of
+ * colliders.2". */
 static void name_feature(const barrier *b, int count, const int *vertex, char *text, size_t size) {
     static const char *const names[] = {"vertex", "edge", "triangle"};
     if (b->collider[vertex[0]] >= 0) {
@@ -97,7 +98,7 @@ static void name_feature(const barrier *b, int count, const int *vertex, char *t
         used += snprintf(text + used, size - (size_t)used, " %d", number_of(b, vertex[k]));
 }
 
-/* Appends the option that may help; returns -1. */
+/* Appends the option that may help. Returns -1. */
 static int refuse(const barrier *b, char *error) {
     const size_t used = strlen(error);
     snprintf(error + used, 200 - used, "%s",
@@ -153,7 +154,8 @@ int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *cont
     return status;
 }
 
-/* Refuses cloth vertices inside solids, except inside meshes: cloth may lie in a hollow one. */
+/* Rejects cloth vertices inside solids. Meshes are exempt, because cloth may lie in a hollow
+ * one. */
 static int check_inside(const barrier *b, char *error) {
     for (int n = 0; n < b->scene->collider_count; n++) {
         const collider *k = &b->scene->colliders[n];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The two loops over elements below are irregular reductions whose subscripts change at every call.
+ * The loops of add_gradients and add_blocks are irregular reductions whose subscripts change at
+ * every call.
  */
 #include "barrier_system.h"
 
@@ -32,7 +33,7 @@ void barrier_system_free(barrier_system *s) {
     *s = (barrier_system){0};
 }
 
-/* Vertices of bodies have no row: the element's first cloth vertex replaces them. */
+/* Vertices of bodies have no row in the matrix: the element's first cloth vertex replaces them. */
 static void couple_cloth(const barrier *b, const int vertex[4], int couple[4]) {
     int first = 0;
     while (b->collider[vertex[first]] >= 0)

@@ -18,20 +18,22 @@
 #include "shape.h"
 
 enum { most_rounds = 400 };
-/* Pairs nearer than half of this fraction of their reach are separated to the whole fraction. */
+/* Pairs nearer than half of this fraction of their reach are moved apart to this fraction. */
 static const double wanted_part = 0.5;
 
 typedef struct untangling {
     barrier *b;
-    int cloths, parts; /* number of connected parts of the cloth; the same plus the bodies */
-    int *part;         /* [surface's vertices] */
-    double *side;      /* [cloths * parts] > 0: the first is on the side of the second's normals */
-    int *patch; /* [cloth's vertices] union-find parent: patches of vertices over their own part */
+    int cloths, parts; /* number of connected parts of the cloth; that number plus the bodies */
+    int *part;         /* [surface's vertices] index of the vertex's part */
+    double *side;      /* [cloths * parts] > 0: the first part is on the side to which the second's
+                        * normals point */
+    int *patch; /* [cloth's vertices] union-find parent; a set is a patch of vertices that overlap
+                 * their own part */
     double *above; /* [cloth's vertices] m, height above the part's own nearest triangle, along its
                     * normal; 0: none; at a patch's root: the patch's sum */
-    double (*normal)[3]; /* [surface's vertices] */
+    double (*normal)[3]; /* [surface's vertices] vertex normals */
     double longest;      /* m, maximum displacement of a projection */
-    int crossings;       /* found in this round */
+    int crossings;       /* number of crossings found in this round */
     int changed;         /* a vertex moved in this round */
     arrays own;
 } untangling;
@@ -84,7 +86,8 @@ static void feature_normal(const untangling *u, int count, const int *vertex, do
     vector_unit(normal, normal);
 }
 
-/* Sums, for each pair of parts, the heights of vertices above (> 0) or below triangles. */
+/* Sums, for each pair of parts, the heights of vertices of one above (> 0) or below triangles of
+ * the other. */
 static int find_sides(untangling *u) {
     barrier *b = u->b;
     const double gap = b->search.gap;
@@ -136,8 +139,8 @@ static void find_patches(untangling *u) {
     }
 }
 
-/* The direction in which the first feature must move relative to the second, both of one part. 0:
- * unknown. */
+/* Finds the direction in which the first feature must move relative to the second one of the same
+ * part. Returns 0 if it is unknown. */
 static int find_own_direction(const untangling *u, int firsts, const int *first, int seconds,
                               const int *second, double direction[3]) {
     double one = 0, other = 0;
@@ -154,7 +157,8 @@ static int find_own_direction(const untangling *u, int firsts, const int *first,
     return sign != 0;
 }
 
-/* The direction in which the first feature must move relative to the second. 0: unknown. */
+/* Finds the direction in which the first feature must move relative to the second. Returns 0 if it
+ * is unknown. */
 static int find_direction(const untangling *u, int firsts, const int *first, int seconds,
                           const int *second, double direction[3]) {
     const int one = u->part[first[0]], other = u->part[second[0]];
@@ -170,7 +174,8 @@ static int find_direction(const untangling *u, int firsts, const int *first, int
     return 1;
 }
 
-/* Increases sum weight x along the direction by `lacking` m without moving driven vertices. */
+/* Moves vertices so that sum weight[k] x[k] grows along the direction by `lacking` m, or by
+ * u->longest if that is less. Driven vertices do not move. */
 static void project(untangling *u, int count, const int *vertex, const double *weight,
                     const double direction[3], double lacking) {
     double squares = 0;
@@ -244,10 +249,10 @@ static void separate_near(untangling *u) {
         barrier_gather(pair->vertex, read_only(b->x), at);
         barrier_nearest(b, pair, read_only(at), &found);
         if (pair->kind == BARRIER_PLANE || found.distance >= wanted / 2)
-            continue; /* planes are solids */
+            continue; /* leave_solids handles planes */
         const int own = u->part[pair->vertex[0]] == u->part[pair->vertex[firsts]];
         if (own && u->crossings > 0)
-            continue; /* it may be on the wrong side */
+            continue; /* the first feature may be on the wrong side */
         if ((own && found.distance > 0) ||
             !find_direction(u, firsts, pair->vertex, 4 - firsts, pair->vertex + firsts, direction))
             memcpy(direction, found.normal, sizeof direction);

@@ -53,7 +53,7 @@ void collisions_follow(collisions *c, double time) {
     }
 }
 
-/* For how many seconds a pin has moved by `time`. */
+/* The number of seconds for which a pin has moved by `time`. */
 static double moving_time(const pin *p, double time) {
     const double end = p->move_until > 0 && time > p->move_until ? p->move_until : time;
     return end > p->move_from ? end - p->move_from : 0;
@@ -129,7 +129,7 @@ void collisions_free(collisions *c) {
 
 /* A vertex that slides over a rotating body ends the step at another point of it. Replaces the
  * tangent plane that the vertex must stay outside of by the one at the end p + u, unless the path
- * leads around or through the body. 1; 0: the vertex ends outside. */
+ * leads around or through the body. Returns 0 if the vertex ends outside, otherwise 1. */
 static int use_plane_at_end(const collider *k, const body_motion *m, const double p[3],
                             const double u[3], const double v[3], approach *found) {
     approach end;
@@ -260,8 +260,8 @@ void collisions_add_friction(collisions *c, double h, const double (*v)[3], line
     c->friction_visits += visits;
 }
 
-/* The constraints of a vertex as directions and changes. Normals come first, so that they win over
- * the tangents of a sticking contact. */
+/* Computes the constraints of a vertex as directions and changes. Normals come first, so that they
+ * win over the tangents of a sticking contact. */
 static int demands(const collisions *c, int vertex, const double v[3], double d[][3],
                    double *change) {
     const vertex_contacts *of = &c->now[vertex];
@@ -348,7 +348,8 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     return added;
 }
 
-/* Changes the velocity of one vertex; returns by how much, m/s. */
+/* Changes the velocity of vertex i so that it stays outside of near colliders. Returns the largest
+ * change, m/s. */
 static double keep_out(const collisions *c, int i, double time, double h, const double x[3],
                        double v[3]) {
     double changed = 0;
@@ -414,7 +415,7 @@ static void settle(contact *touch, const collider *k, const double carried[3], d
     touch->pulls = touch->force < 0 ? touch->pulls + 1 : 0;
     if (touch->sticks) {
         touch->sticks = sideways <= most;
-        touch->slip_speed = h * (sideways - most) / mass; /* largest slip speed */
+        touch->slip_speed = h * (sideways - most) / mass; /* an upper bound */
     } else {
         touch->slip_speed = vector_length(slip);
         touch->sticks = touch->slip_speed < stick_speed && most > 0;

@@ -5,7 +5,9 @@
 #include "collision.h"
 #include "shape.h"
 
-/* Friction -f (v - u) does work of at most f u.u / 4. */
+/* Returns an upper bound on the work of friction, J. The friction's impulse -f (v - u) on a vertex
+ * with velocity v, against a collider with velocity u, does the work -f (v - u) . v <= f u . u /
+ * 4. */
 static double friction_work(const contact *touch, double friction, const double carried[3],
                             double h) {
     if (touch->sticks || !(touch->force > 0))
@@ -36,7 +38,7 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
-            if (given->given[i] > 0) { /* the constraint gives -residual to the stage */
+            if (given->given[i] > 0) { /* the constraint's impulse in the stage is -residual */
                 double *sum = contacts && is_held_at_rest(c, i) ? resting : moving;
                 sum[chunk] -= h / stage_h * vector_dot(residual[i], v[i]);
             }
@@ -50,7 +52,7 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
     return chunk_sum_all(count, moving) + (from_resting < 0 ? from_resting : 0);
 }
 
-/* The vertex' greatest depth in a near collider, m; 0: it is in none. */
+/* Returns the vertex's greatest depth in a near collider, m, or 0 if it is in none or pinned. */
 static double depth_of(const collisions *c, int vertex, double time, const double x[3]) {
     double deepest = 0;
     for (int m = 0; m < c->any_near && collisions_pin_of(c, vertex) < 0; m++) {

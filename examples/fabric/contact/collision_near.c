@@ -6,8 +6,7 @@
 #include "collision.h"
 #include "shape.h"
 
-/* The bounding ball of the cloth, and the largest displacement of a vertex in the step. v or dv
- * NULL: 0. */
+/* The bounding ball of the cloth, and the largest displacement of a vertex in the step, m. */
 typedef struct cloth_ball {
     double center[3], radius, displacement;
 } cloth_ball;
@@ -45,8 +44,8 @@ static double distance_to(const collider *k, const double center[3], double time
     return shape_distance(k, p, normal);
 }
 
-/* The distance from the cloth's centre at which a collider may touch it, without its own motion and
- * gap. */
+/* Returns the distance from the cloth's centre at which a collider may touch the cloth, without the
+ * collider's own motion and gap. */
 static double reach_of(const cloth_ball *ball) {
     return 1.01 * (ball->radius + ball->displacement);
 }
@@ -55,8 +54,8 @@ static double own_reach(const collider *k, double h) {
     return 1.01 * (h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
 }
 
-/* The same for a collider with keyframes: its motion and gap. The bound covers the part of the
- * collider that the cloth may meet. */
+/* Like own_reach, for a collider with keyframes. The bound covers the part of the collider that the
+ * cloth may meet. */
 static double own_reach_keyed(const collider *k, const body_motion *m, const cloth_ball *ball) {
     double from[3];
     vector_subtract(ball->center, m->begin.origin, from);
@@ -64,8 +63,8 @@ static double own_reach_keyed(const collider *k, const body_motion *m, const clo
     return 1.01 * (motion_displacement(m, reach) + 2 * k->gap + 1e-9);
 }
 
-/* May a collider that is not watched touch the cloth by now? A distance changes by no more than the
- * displacements of the centre and of the collider. */
+/* May a collider outside of `watched` touch the cloth by now? A distance changes by no more than
+ * the displacements of the centre and of the collider. */
 static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, double time,
                           double h) {
     double moved[3];
@@ -76,9 +75,9 @@ static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, do
     return !(others->clearance - vector_length(moved) - passed * others->speed > reach_of(ball));
 }
 
-/* Tests all colliders, and watches those that the cloth might reach by moving a distance equal to
- * its size. Meshes and colliders with keyframes are always watched: the distance to an open mesh
- * may jump, and keyframes may begin at any time. */
+/* Tests all colliders, and puts those into `watched` that the cloth might reach by moving a
+ * distance equal to the cloth's size. Meshes and colliders with keyframes are always watched: the
+ * distance to an open mesh may jump, and keyframes may begin at any time. */
 static void test_all(collisions *c, const cloth_ball *ball, double time, double h) {
     out_of_reach *others = &c->others;
     const double margin = ball->radius + 4 * ball->displacement;

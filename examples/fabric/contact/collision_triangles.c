@@ -7,7 +7,8 @@
 #include "collision.h"
 #include "shape_triangle.h"
 
-/* The triangle's corners in the collider's axes, and their displacements relative to it. */
+/* Computes the triangle's corners in the collider's axes, and their displacements relative to
+ * it. */
 static void gather(const collisions *c, int number, const int corner[3], double time, double h,
                    const double (*x)[3], const double (*v)[3], double p[3][3], double u[3][3]) {
     const collider *k = &c->scene->colliders[number];
@@ -16,7 +17,7 @@ static void gather(const collisions *c, int number, const int corner[3], double 
         motion_enter(k, motion, time, h, x[corner[n]], v[corner[n]], p[n], u[n]);
 }
 
-/* shape_meets_triangle with its result converted from the collider's axes to space. */
+/* Calls shape_meets_triangle and converts its result from the collider's axes to space. */
 static int meets(const collisions *c, int number, const double p[3][3], const double u[3][3],
                  double weight[3], approach *found) {
     const collider *k = &c->scene->colliders[number];
@@ -29,8 +30,8 @@ static int meets(const collisions *c, int number, const double p[3][3], const do
     return 1;
 }
 
-/* May the collider come near to some point of the triangle, even if impulses move that by another
- * gap? */
+/* May the collider come near to some point of the triangle, even if impulses move that point by
+ * another gap? */
 static int may_meet(const collider *k, const double p[3][3], const double u[3][3]) {
     double middle[3], normal[3], radius = 0, displacement = 0;
     for (int a = 0; a < 3; a++)
@@ -48,11 +49,13 @@ static int may_meet(const collider *k, const double p[3][3], const double u[3][3
  * is nearer than its first corner by at most the longer edge at that corner, and no vertex moves
  * farther than the longest displacement. */
 typedef struct clearances {
-    const double *distance; /* [vertices] m, to the collider as the step begins; NULL: not known */
+    const double *distance; /* [vertices] m, distance to the collider as the step begins; NULL:
+                             * unknown */
     double displacement;    /* m, longest displacement of a vertex relative to the collider */
 } clearances;
 
-/* Leaves `distance` NULL for a mesh: the distance to an open one may jump, so it bounds nothing. */
+/* Leaves `distance` NULL for a mesh: the distance to an open mesh may jump, so it bounds
+ * nothing. */
 static int find_clearances(collisions *c, int number, double time, double h, const double (*x)[3],
                            const double (*v)[3], clearances *found) {
     const collider *k = &c->scene->colliders[number];

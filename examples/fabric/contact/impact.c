@@ -6,7 +6,7 @@
 /* Number of rounds of impulses, and of searches for pairs. */
 enum { most_rounds = 20, most_searches = 3 };
 
-/* One round of all impulses; returns the largest change of a velocity, m/s. */
+/* Gives one round of all impulses. Returns the largest change of a velocity, m/s. */
 static double push(impact_step *s, double *own_work, double *body_work) {
     double largest = 0;
     if (s->itself)
@@ -34,7 +34,8 @@ static double little(const impact_step *s) {
     return 1e-3 * fmin(own, s->bodies->met.gap) / s->h;
 }
 
-/* Rounds over the pairs and triangles found last; returns whether a velocity was changed. */
+/* Gives rounds of impulses to the pairs and triangles found last, until they change little. Returns
+ * whether a velocity was changed. */
 static int push_until_settled(impact_step *s, double *own_work, double *body_work) {
     double largest = push(s, own_work, body_work);
     const int changed = largest > 0;

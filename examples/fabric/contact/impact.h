@@ -15,16 +15,16 @@
 
 typedef struct impact_step {
     double time, h;         /* s */
-    const double (*x)[3];   /* [vertices] m, at the step's beginning */
-    double (*v)[3];         /* [vertices] m/s, changed */
+    const double (*x)[3];   /* [vertices] m, positions at the step's beginning */
+    double (*v)[3];         /* [vertices] m/s, velocities, which are changed */
     movable of;             /* the vertices that may move */
     self_collision *itself; /* NULL: the cloth may go through itself */
     collisions *bodies;
 } impact_step;
 
 /** Resolves contacts of the step. *work: the work of bodies, J, less the energy that the cloth's
- *  own impulses take. Energy that these add is not counted as external work, so the monitor
- *  detects it. 0, or -1: out of memory, or a number at the step's end is not finite. */
+ *  own impulses take. Energy that these add is not counted as external work, so the monitor detects
+ *  it. Returns 0, or -1 if out of memory or if a number at the step's end is not finite. */
 int impact_resolve(impact_step *step, double *work);
 
 /**
@@ -36,7 +36,7 @@ int impact_resolve(impact_step *step, double *work);
  * the zone's linear and angular momentum; a zone with vertices that a pin or contact holds moves
  * with their mean velocity. Zones grow by pairs that pass at their boundary, until none does or the
  * number of rounds is exhausted. Adds the required energy to *work, J. s->left counts the pairs
- * that still pass. 0, or -1: out of memory.
+ * that still pass. Returns 0, or -1 if out of memory.
  */
 int impact_zones_make(self_collision *s, const movable *of, double h, const double (*x)[3],
                       double (*v)[3], double *work);

@@ -16,7 +16,7 @@ typedef struct zone {
     double inertia[3][3], spin[3];       /* about the centre, kg m^2; kg m^2/s */
 } zone;
 
-/* Joins the vertices of the pairs that pass; returns how many pairs those are. */
+/* Joins the vertices of each passing pair to one zone. Returns the number of passing pairs. */
 static int join(const self_collision *s, int *parent, double h, const double (*x)[3],
                 const double (*v)[3]) {
     int passing = 0;
@@ -63,8 +63,8 @@ static void sum_up(const self_collision *s, const movable *of, int *parent, cons
     }
 }
 
-/* Solves inertia * turn = spin by Cramer's rule; 0 for a zone in a line, whose inertia is singular.
- */
+/* Solves inertia * turn = spin by Cramer's rule. The turn is 0 for a zone in a line, whose inertia
+ * is singular. */
 static void angular_velocity(const zone *z, double turn[3]) {
     double cross[3], trace = 0;
     vector_cross(z->inertia[1], z->inertia[2], cross);
@@ -72,7 +72,7 @@ static void angular_velocity(const zone *z, double turn[3]) {
     for (int a = 0; a < 3; a++)
         trace += z->inertia[a][a];
     for (int a = 0; a < 3; a++) {
-        /* Symmetric: rows are columns. */
+        /* The inertia is symmetric: its rows are its columns. */
         const double *one = a == 0 ? z->spin : z->inertia[0];
         const double *two = a == 1 ? z->spin : z->inertia[1];
         const double *three = a == 2 ? z->spin : z->inertia[2];

@@ -9,8 +9,8 @@ int movable_is_held(const movable *of, int vertex) {
     return collisions_pin_of(c, vertex) >= 0 || (c->now && c->now[vertex].count > 0);
 }
 
-/* By how much faster the vertex moves away from its contact's body than the contact prescribes,
- * m/s; 0 if that is within the rounding of v. */
+/* Returns the speed, m/s, at which the vertex moves away from its contact's body, less the speed
+ * that the contact prescribes, or 0 if that is within the rounding of v. */
 static double leaving_speed(const contact *touch, const double v[3]) {
     static const double rounding = 1e-9;
     const double speed = vector_dot(touch->normal, v) - touch->speed;
@@ -47,8 +47,9 @@ void movable_move(const movable *of, int i, const double change[3], double v[3])
     }
 }
 
-/* The velocity that the impulse d (kg m/s) gives vertex i, m/s. 0 if a body takes most of the
- * impulse: the remainder points sideways and would have to be many times as large. */
+/* Computes the change of velocity that the impulse d (kg m/s) gives vertex i, m/s. It is 0 if a
+ * body takes most of the impulse: the remainder points sideways and would have to be many times as
+ * large. */
 static void response(const movable *of, int i, const double v[3], const double d[3],
                      double change[3]) {
     static const double least_part = 0.25; /* least part of d'd that may be free */
@@ -59,7 +60,8 @@ static void response(const movable *of, int i, const double v[3], const double d
     vector_scale(change, light, change);
 }
 
-/* The change of the feature's velocity along the unit vector d, for an impulse of 1 kg m/s. */
+/* Returns the change of the feature's velocity along the unit vector d, for an impulse of 1 kg
+ * m/s. */
 static double mobility(const movable *of, const feature *f, const double (*v)[3],
                        const double d[3]) {
     double sum = 0;
@@ -78,7 +80,7 @@ void feature_velocity(const feature *f, const double (*v)[3], double speed[3]) {
         vector_add_scaled(speed, f->weight[k], v[f->vertex[k]], speed);
 }
 
-/* Returns the energy that the impulse gives, J. */
+/* Applies the impulse to the feature's vertices. Returns the energy that it gives, J. */
 static double apply(const movable *of, const feature *f, const double impulse[3], double (*v)[3]) {
     double work = 0;
     for (int k = 0; k < f->count; k++) {
@@ -93,7 +95,7 @@ static double apply(const movable *of, const feature *f, const double impulse[3]
     return work;
 }
 
-/* The friction impulse: at most `most`, and no more than stops the sliding. */
+/* Computes the friction impulse: at most `most` kg m/s, and no more than stops the sliding. */
 static void find_friction(const movable *of, const feature *f, const double normal[3], double most,
                           const double *base, const double (*v)[3], double impulse[3]) {
     double slip[3];
@@ -109,7 +111,8 @@ static void find_friction(const movable *of, const feature *f, const double norm
 
 int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3],
                         const double normal[3]) {
-    static const double least_part = 0.02; /* relative to a vertex that is free */
+    static const double least_part = 0.02; /* least mobility, relative to that if all vertices were
+                                            * free */
     double all_free = 0;
     for (int k = 0; k < f->count; k++) {
         const double mass = of->mass[f->vertex[k]];

@@ -7,26 +7,26 @@
 
 struct collisions;
 
-/** The vertices' mobility: their masses, pins and contacts, by reference. */
+/** Which vertices may move: references to their masses, pins and contacts. */
 typedef struct movable {
     const double *mass;              /* [vertices] kg */
-    const struct collisions *bodies; /* with the step's pins and contacts */
+    const struct collisions *bodies; /* these have the step's pins and contacts */
 } movable;
 
 /** Is the vertex pinned, or does it lie on a body? */
 int movable_is_held(const movable *of, int vertex);
 
-/** The part of an impulse or velocity d that moves vertex i, which has velocity v [3] m/s: 0 if
- *  it is pinned; without the component into a body that it lies on. A vertex that is leaving its
- *  body is free: otherwise impulses could lift it but not slow it down, and the rounds would not
- *  converge. */
+/** Computes the part of an impulse or velocity d that moves vertex i, which has velocity v [3] m/s.
+ *  The part is 0 if the vertex is pinned, and lacks the component into a body on which it lies. A
+ *  vertex that is leaving its body is free: otherwise impulses could lift it but not slow it down,
+ *  and the rounds would not converge. */
 void movable_part(const movable *of, int i, const double v[3], const double d[3], double part[3]);
 
-/** Moves vertex i by `change` m/s, as movable_part gives it, but never into a body that it lies
- *  on. */
+/** Adds to v the part of `change` (m/s) that movable_part gives, but no velocity into a body on
+ *  which vertex i lies. */
 void movable_move(const movable *of, int i, const double change[3], double v[3]);
 
-/** A weighted sum of vertices, whose velocity is to be changed. */
+/** A point given by a weighted sum of vertices; its velocity is to be changed. */
 typedef struct feature {
     int count; /* 1 to 4 */
     int vertex[4];
@@ -43,7 +43,7 @@ int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3
 
 /** Changes the feature's velocity along the unit normal by `change` m/s, with Coulomb's friction
  *  against a surface that moves with `base` m/s (NULL: 0). Weights of both signs give equal and
- *  opposite impulses. Adds the energy gained to *work, J. 0: it is not possible. */
+ *  opposite impulses. Adds the energy gained to *work, J. Returns 0 if that is not possible. */
 int impulse_give(const movable *of, const feature *f, const double normal[3], double change,
                  double friction, const double *base, double (*v)[3], double *work);
 

@@ -18,8 +18,8 @@ double motion_end(const collider *k) {
     return motion_has_keys(k) ? k->keyframes[k->keyframe_count - 1].time : 0;
 }
 
-/* The keyframe at or before `time` and the next one; returns the position of `time` between them,
- * from 0 to 1. */
+/* Finds the keyframe at or before `time` and the next one. Returns the position of `time` between
+ * them, from 0 to 1. */
 static double between(const collider *k, double time, const keyframe **before,
                       const keyframe **after) {
     int n = 0;
@@ -39,7 +39,7 @@ double motion_angle(const collider *k, double time) {
     return degree * (before->angle + part * (after->angle - before->angle));
 }
 
-/* The rotation by `angle` (rad) about the unit axis, by Rodrigues' formula. */
+/* Computes the rotation by `angle` (rad) about the unit axis, by Rodrigues' formula. */
 static void turn_about(const double axis[3], double angle, double rotation[3][3]) {
     const double c = cos(angle), s = sin(angle);
     const double cross[3][3] = {

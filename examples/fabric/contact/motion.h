@@ -25,7 +25,7 @@ typedef struct body_pose {
 /** A step of a collider with keyframes. */
 typedef struct body_motion {
     double h;    /* s */
-    int rotates; /* it rotates during the step */
+    int rotates; /* true: the collider rotates during the step */
     body_pose begin, end;
 } body_motion;
 
@@ -36,8 +36,8 @@ static inline int motion_has_keys(const collider *k) {
 /** Does the collider ever rotate? */
 int motion_rotates(const collider *k);
 
-/** The time after which the collider does not move any more, s; infinite if its velocity is not 0.
- */
+/** Returns the time after which the collider does not move any more, s, or infinity if its velocity
+ *  is not 0. */
 double motion_end(const collider *k);
 
 /** The pose of any collider at `time`, s. */
@@ -46,14 +46,14 @@ void motion_pose(const collider *k, double time, body_pose *pose);
 /** The angle by which the collider is rotated at `time`, rad. */
 double motion_angle(const collider *k, double time);
 
-/** The motion of a collider with keyframes in the step of h s that begins at `time`. */
+/** Computes the motion of a collider with keyframes in the step of h s that begins at `time`. */
 void motion_in_step(const collider *k, double time, double h, body_motion *m);
 
-/** An upper bound on the displacement in the step of points within `reach` m of the body's origin,
- *  m. */
+/** Returns an upper bound, m, on the displacement in the step of points within `reach` m of the
+ *  body's origin. */
 double motion_displacement(const body_motion *m, double reach);
 
-/** p: the point x of space in the body's axes at `time`. */
+/** Converts the point x of space to p in the body's axes at `time`. */
 void motion_to_body(const collider *k, double time, const double x[3], double p[3]);
 
 void motion_enter_keyed(const body_motion *m, const double x[3], const double v[3], double p[3],
@@ -61,8 +61,8 @@ void motion_enter_keyed(const body_motion *m, const double x[3], const double v[
 void motion_carry_keyed(const body_motion *m, const double p[3], double normal[3],
                         double carried[3]);
 
-/** In the body's axes: p, the position of x at the beginning of the step, and u, its
- *  displacement at velocity v (m/s). m: for colliders with keyframes, otherwise unused. */
+/** Computes in the body's axes p, the position of x at the beginning of the step, and u, its
+ *  displacement at velocity v (m/s). m is used only for colliders with keyframes. */
 static inline void motion_enter(const collider *k, const body_motion *m, double time, double h,
                                 const double x[3], const double v[3], double p[3], double u[3]) {
     if (motion_has_keys(k)) {
@@ -75,8 +75,8 @@ static inline void motion_enter(const collider *k, const body_motion *m, double 
     }
 }
 
-/** Converts from the body's axes to space: rotates the normal to its direction at the step's
- *  end, and gives the mean velocity (m/s) of the body at p. */
+/** Converts from the body's axes to space: rotates the normal to its direction at the step's end,
+ *  and computes the mean velocity `carried` (m/s) of the body at p. */
 static inline void motion_carry(const collider *k, const body_motion *m, const double p[3],
                                 double normal[3], double carried[3]) {
     if (motion_has_keys(k))

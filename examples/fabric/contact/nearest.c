@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each function returns the inner point, if there is one (nearly parallel edges: if it is nearest),
- * else the nearest of the points on the borders. At the border both agree, so that rounding decides
- * nothing. */
+/* Each function finds the nearest points in the features' interiors, if there are any (for nearly
+ * parallel edges only if they are the nearest). Otherwise it takes the nearest of the points on the
+ * borders. At a border both cases agree, so it does not matter how rounding decides. */
 #include "nearest.h"
 
 #include <string.h>
 
 #include "base/vector.h"
 
-/* Normal and distance from the weights. */
+/* Computes normal and distance from the weights. */
 static void measure(const double x[4][3], nearest *found) {
     double separation[3];
     nearest_combine(x, found->weight, separation);
     found->distance = vector_unit(separation, found->normal);
 }
 
-/* *square: the least squared distance so far. */
+/* Copies the weights to *best if their squared distance is less than *square, the least so far. */
 static void keep_nearer(const double x[4][3], const double weight[4], nearest *best,
                         double *square) {
     double separation[3];
@@ -27,7 +27,7 @@ static void keep_nearer(const double x[4][3], const double weight[4], nearest *b
     }
 }
 
-/* The position on the segment a b of the point nearest to p, from 0 to 1. */
+/* Returns the position, from 0 at a to 1 at b, of the segment's point nearest to p. */
 static double foot_on_segment(const double p[3], const double a[3], const double b[3]) {
     double along[3], from[3];
     vector_subtract(b, a, along);
@@ -37,7 +37,7 @@ static double foot_on_segment(const double p[3], const double a[3], const double
     return t < 0 ? 0 : (t > 1 ? 1 : t);
 }
 
-/* Tries vertex p against the segment of vertices a and b; `sign`: of p's weight. */
+/* Tries vertex p against the segment of vertices a and b; `sign` is p's weight. */
 static void try_segment(const double x[4][3], int p, int a, int b, double sign, nearest *best,
                         double *square) {
     const double t = foot_on_segment(x[p], x[a], x[b]);
@@ -61,7 +61,7 @@ void nearest_vertex_triangle(const double x[4][3], nearest *found) {
         const double u = (bb * fa - ab * fb) / determinant;
         const double v = (aa * fb - ab * fa) / determinant;
         const double weight[4] = {1, u + v - 1, -u, -v};
-        if (u > 0 && v > 0 && u + v < 1) { /* the foot in the plane lies within */
+        if (u > 0 && v > 0 && u + v < 1) { /* the projection lies inside the triangle */
             memcpy(found->weight, weight, sizeof found->weight);
             measure(x, found);
             return;

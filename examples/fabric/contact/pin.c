@@ -14,8 +14,8 @@ static int number_of(const mesh *m, int vertex) {
     return m->number ? m->number[vertex] : vertex;
 }
 
-/** The vertex nearest to the point; of several at the same distance, the one with the lowest number
- *  before the mesh was reordered. */
+/** Returns the vertex nearest to the point. Of several at the same distance, it is the one with the
+ *  lowest number before the mesh was reordered. */
 static int nearest_vertex(const mesh *m, const double point[3]) {
     int nearest = -1;
     double least = INFINITY;

@@ -14,7 +14,7 @@ static const double separation_rate = 0.25;
 /* Pairs that would pass keep this fraction of their distance, or of the gap. */
 static const double kept_part = 0.1;
 
-/* Each vertex and edge is owned by the first of its triangles. */
+/* Assigns each vertex and each edge to the first of its triangles. */
 static int share_out(self_collision *s) {
     const mesh *m = s->mesh;
     const int count = 3 * m->triangle_count;
@@ -65,8 +65,8 @@ void self_collision_free(self_collision *s) {
     *s = (self_collision){0};
 }
 
-/* Are the features nearer than the gap in the rest shape, as those of thin triangles are? They are
- * only kept from passing. */
+/* Are the features nearer than the gap in the rest shape, as those of thin triangles are? Such a
+ * pair is only kept from passing. */
 static int rest_near(const self_collision *s, const self_pair *pair) {
     const mesh *m = s->mesh;
     double at[4][3] = {{0}};
@@ -79,7 +79,8 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
     return self_pair_is_near(pair->is_edges, (const double(*)[3])at, s->gap, &found);
 }
 
-/* The change of the normal velocity that this contact requires, m/s; 0: none. */
+/* Computes the change of the normal velocity that the pair requires, m/s, or 0 if it requires
+ * none. */
 static double required_change(const self_collision *s, const self_pair *pair, double h,
                               const double (*x)[3], const double (*v)[3], self_contact *found) {
     double from[4][3], to[4][3], speed = 0, least = 0;
@@ -103,7 +104,7 @@ static double required_change(const self_collision *s, const self_pair *pair, do
     return speed < least ? least - speed : 0;
 }
 
-/* Have the pair's vertices kept their velocities since then? */
+/* Have the vertices of pair n kept their velocities since the time `since`? */
 static int is_unchanged(const self_collision *s, int n, int since) {
     const int *vertex = s->pair[n].vertex, *changed = s->history.vertex;
     return changed[vertex[0]] <= since && changed[vertex[1]] <= since &&
@@ -120,8 +121,9 @@ static void update_demand(self_collision *s, int n, double h, const double (*x)[
     to->change = required_change(s, &s->pair[n], h, x, v, &to->contact);
 }
 
-/* In parallel, at the beginning of a round: marks velocities that changed since the last round, and
- * computes the impulses that pairs need. Most need none; the sequential part skips these. */
+/* Runs in parallel at the beginning of a round: marks velocities that changed since the last round,
+ * and computes the impulses that pairs need. Most pairs need none, and the sequential part skips
+ * them. */
 static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
                            const double (*v)[3]) {
     self_history *history = &s->history;
@@ -143,7 +145,7 @@ static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
     }
 }
 
-/* Returns the change of the normal velocity, m/s; 0: none. */
+/* Gives pair n the impulse that it needs. Returns the change of the normal velocity, m/s. */
 static double push_pair(self_collision *s, const movable *of, int n, double h, const double (*x)[3],
                         double (*v)[3], double *work) {
     const self_demand *demand = &s->history.demand[n];
@@ -189,7 +191,7 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                             &found);
 }
 
-/* Resets the history for a new list of pairs. 0, or -1: out of memory. */
+/* Resets the history for a new list of pairs. Returns 0, or -1 if out of memory. */
 static int reset_history(self_history *history, int vertices, int pairs) {
     if (array_grow(&history->pair, &history->pair_room, pairs, sizeof *history->pair) != 0 ||
         array_grow(&history->demand, &history->demand_room, pairs, sizeof *history->demand) != 0)
@@ -215,8 +217,8 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
 
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     s->left = 0;
-    /* Impulses usually move a vertex by less than a gap in a step. Pairs that come near
-     * nevertheless are found by self_collision_check at the end of the step. */
+    /* Impulses usually move a vertex by less than a gap in a step. self_collision_check finds pairs
+     * that come near nevertheless. */
     if (self_grid_find(s, h, x, v, 2 * s->gap) != 0)
         return -1;
     s->visits += s->pair_count;

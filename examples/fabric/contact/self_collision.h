@@ -21,7 +21,8 @@ typedef struct self_pair {
     int vertex[4];
     int is_edges;
     int is_far;       /* scratch of barrier_pairs.c: the candidate is to be removed */
-    int near_at_rest; /* corners within two gaps in the rest shape: only kept from passing */
+    int near_at_rest; /* true: corners are within two gaps in the rest shape, so the pair is only
+                       * kept from passing */
 } self_pair;
 
 /** A search has this number of parts, whatever the number of threads; the parts' results are
@@ -50,11 +51,12 @@ typedef struct self_pairs {
 typedef struct self_grid {
     double (*box)[2][3];      /* [triangles] low and high, m */
     double cloth[2][3];       /* m, box around all that the cloth sweeps; set if there are bodies */
-    int *owned;               /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
-    int *first;               /* [triangles + 1] a triangle's first entry in `loose` */
+    int *owned;               /* [triangles] features assigned to it: bits 0-2 its vertices, 3-5 its
+                               * edges 0-1, 1-2, 2-0 */
+    int *first;               /* [triangles + 1] each triangle's first entry in `loose` */
     struct self_entry *loose; /* entries sorted by triangle */
     struct self_entry *entry; /* entries sorted by bucket */
-    int *start;               /* [buckets + 2] a bucket's first entry */
+    int *start;               /* [buckets + 2] each bucket's first entry */
     int bucket_room, entry_room, loose_room;
     self_pairs part[SELF_PARTS]; /* results of the last search */
 } self_grid;
@@ -64,12 +66,12 @@ typedef struct self_grid {
 typedef struct self_contact {
     double weight[4];
     double normal[3];
-    double distance; /* m, along the normal at the start */
+    double distance; /* m, distance along the normal at the step's beginning */
 } self_contact;
 
 /** The impulse that a pair needs. */
 typedef struct self_demand {
-    double change; /* m/s, of the normal velocity; 0: nothing */
+    double change; /* m/s, required change of the normal velocity; 0: none */
     self_contact contact;
 } self_demand;
 
@@ -78,42 +80,43 @@ typedef struct self_demand {
 typedef struct self_history {
     int now, round_start; /* the current time; the time at which the current round began */
     int *vertex;          /* [vertices] time of the last change of its velocity */
-    double (*v)[3];       /* [vertices] m/s, at the end of the last round */
-    int *pair;            /* [pairs] last time at which it needed no impulse; -1: never */
-    self_demand *demand;  /* [pairs] for pairs that are not skipped: at the round's beginning */
+    double (*v)[3];       /* [vertices] m/s, velocities at the end of the last round */
+    int *pair;            /* [pairs] last time at which the pair needed no impulse; -1: never */
+    self_demand *demand;  /* [pairs] demand at the round's beginning, for pairs that are not
+                           * skipped */
     int pair_room, demand_room;
 } self_history;
 
 typedef struct self_collision {
     const mesh *mesh;
-    double gap, friction; /* m */
+    double gap, friction; /* m; no unit */
     double step;     /* s, the scene's step: pairs that are too near separate within a few steps */
     int bodies_from; /* first triangle of bodies; two of these are never a pair */
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
     self_history history;
-    int left; /* pairs that still pass in the current step */
+    int left; /* number of pairs that still pass in the current step */
     long visits;
     arrays own; /* the arrays above whose size is [triangles] or [vertices] */
 } self_collision;
 
-/** Keeps a reference to the mesh. 0, or -1: out of memory. */
+/** Keeps a reference to the mesh. Returns 0, or -1 if out of memory. */
 int self_collision_init(self_collision *s, const mesh *m, double gap, double friction, double step);
 void self_collision_free(self_collision *s);
 
 /** Finds the pairs that may come near in a step of h s from positions x (m) with velocities v
- *  (m/s). 0, or -1: out of memory, or a number is not finite. */
+ *  (m/s). Returns 0, or -1 if out of memory or if a number is not finite. */
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** One round of impulses, in order, over the pairs that self_collision_find found for this h and x.
- *  Changes v and adds the energy of the impulses to *work (J); returns the largest change of a
- *  normal velocity, m/s. */
+/** Gives one round of impulses, in order, to the pairs that self_collision_find found for this h
+ *  and x. Changes v and adds the energy of the impulses to *work (J). Returns the largest change of
+ *  a normal velocity, m/s. */
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 
-/** Repeats the search, because the swept boxes changed with the velocities, and counts the
- *  passing pairs in s->left. 0, or -1 as above. */
+/** Repeats the search, because the swept boxes changed with the velocities, and counts the passing
+ *  pairs in s->left. Returns 0, or -1 if out of memory or if a number is not finite. */
 int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
 /** Do the pair's features pass through each other in the step? */
@@ -121,26 +124,25 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]);
 
 /** Finds the pairs that may meet in the step, except, if `within` is finite, those whose swept
- * boxes are farther than `within` (m) from each other. 0, or -1: out of memory, or a number is not
- * finite.
- */
+ *  boxes are farther than `within` (m) from each other. Returns 0, or -1 if out of memory or if a
+ *  number is not finite. */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3],
                    double within);
 
-/** The positions of the pair's vertices at the beginning and the end of a step of h s. */
+/** Computes the positions of the pair's vertices at the beginning and the end of a step of h s. */
 void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
                       double start[4][3], double end[4][3]);
 
-/** Is the distance between the boxes that the two features sweep greater than this? It is for most
- *  pairs, so this test comes first. */
+/** Is the distance between the boxes that the two features sweep greater than `separation`? For
+ *  most pairs it is, so this test comes first. */
 int self_pair_keeps_distance(const int vertex[4], int is_edges, double separation, double h,
                              const double (*x)[3], const double (*v)[3]);
 
 /** Do the pair's features pass through each other while they move from x to y, both [4]? */
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);
 
-/** Are the features nearer than the gap at y? *found gets normal and distance at x of the points
- * that are nearest at y. */
+/** Are the features nearer than the gap at y? If so, *found gets the normal and distance at x of
+ *  the points that are nearest at y. */
 int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
                         self_contact *found);
 

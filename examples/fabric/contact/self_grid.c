@@ -17,7 +17,7 @@ typedef struct self_entry {
 /* maximum average number of cells per triangle; beyond it cells are made larger */
 enum { MOST_CELLS_EACH = 16 };
 
-/* fmin and fmax for arguments that are not NaN, without a call. */
+/* Like fmin and fmax, for arguments that are not NaN, but without a function call. */
 static inline double least(double a, double b) {
     return b < a ? b : a;
 }
@@ -52,7 +52,8 @@ static double mean_extent(const self_collision *s) {
     return sum / (3.0 * s->bodies_from);
 }
 
-/* The box around all that the cloth sweeps: bodies' triangles outside of it get no cell. */
+/* Computes the box around all that the cloth sweeps. Bodies' triangles outside of it get no
+ * cell. */
 static void bound_cloth(self_collision *s) {
     for (int a = 0; a < 3; a++) {
         s->grid.cloth[0][a] = INFINITY;
@@ -73,7 +74,8 @@ static int is_far(const self_collision *s, int t) {
     return 0;
 }
 
-/* The index of the cell that contains a coordinate; all coordinates far away share one cell. */
+/* Returns the index of the cell that contains a coordinate; all coordinates far away share one
+ * cell. */
 static int cell_of(double at, double size) {
     const double cell = floor(at / size);
     return cell > 1e9 ? 1000000000 : (cell < -1e9 ? -1000000000 : (int)cell);
@@ -85,7 +87,8 @@ static unsigned bucket_of(const int cell[3], unsigned buckets) {
     return (key ^ key >> 15) & (buckets - 1);
 }
 
-/* The cells of a triangle's box, from `low` to `high`; returns how many. */
+/* Finds the cells of a triangle's box, from `low` to `high`. Returns their number, 0 for a body's
+ * triangle that the cloth does not reach. */
 static double cells_of(const self_collision *s, int t, double size, int low[3], int high[3]) {
     double cells = 1;
     if (is_far(s, t))
@@ -98,7 +101,8 @@ static double cells_of(const self_collision *s, int t, double size, int low[3], 
     return cells;
 }
 
-/* The number of entries of all triangles. Sums of whole numbers do not depend on the order. */
+/* Returns the number of entries of all triangles. It does not depend on the order of the sum,
+ * because the terms are whole numbers. */
 static double count_entries(const self_collision *s, double size) {
     double count = 0;
 #pragma omp parallel for schedule(static) reduction(+ : count)
@@ -158,7 +162,7 @@ static void sort_entries(self_grid *g, int entries, int buckets) {
         g->entry[start[loose[e].bucket + 1]++] = loose[e];
 }
 
-/* Fills the buckets; returns how many, 0: out of memory, or a box is not finite. */
+/* Fills the buckets. Returns their number, or 0 if out of memory or if a box is not finite. */
 static int fill(self_collision *s, double *size) {
     const int triangles = s->mesh->triangle_count;
     *size = 2 * mean_extent(s);
@@ -210,7 +214,7 @@ static int near_at_rest(const self_collision *s, const int vertex[4], int firsts
     return 0;
 }
 
-/** Arguments of a search: the step, and the distance as in self_grid_find. */
+/** Arguments of a search: the step and the distance of self_grid_find. */
 typedef struct self_search {
     double h, within;
     const double (*x)[3], (*v)[3];
@@ -231,7 +235,8 @@ static int add_if_separate(const self_collision *s, const self_search *by, const
     return add_pair(to, &pair);
 }
 
-/* Adds the pairs of t's own vertices (see self_collision.h) with triangle u. */
+/* Adds the pairs of the vertices that are assigned to triangle t (see self_collision.h) with
+ * triangle u. */
 static int add_vertices(const self_collision *s, const self_search *by, int t, int u,
                         self_pairs *to) {
     const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
@@ -270,7 +275,8 @@ static int meets_in_cell(const self_collision *s, const self_entry *a, const sel
     return 1;
 }
 
-/* Adds the pairs of some buckets. 0, or -1: out of memory. */
+/* Adds the pairs of the buckets from `bucket` up to, but not including, `end`. Returns 0, or -1 if
+ * out of memory. */
 static int add_buckets(const self_collision *s, const self_search *by, int bucket, int end,
                        double size, self_pairs *to) {
     for (; bucket < end; bucket++)
@@ -288,8 +294,8 @@ static int add_buckets(const self_collision *s, const self_search *by, int bucke
     return 0;
 }
 
-/* Finds the pairs of a part's buckets. Fills a local copy of the list's head, because neighbours in
- * the array share cache lines. 0, or -1: out of memory. */
+/* Finds the pairs of a part's buckets. Works on a local copy of the list's head, because neighbours
+ * in the array share cache lines. Returns 0, or -1 if out of memory. */
 static int find_part(self_collision *s, const self_search *by, int part, int buckets, double size) {
     self_pairs own = s->grid.part[part];
     own.count = 0;
@@ -299,7 +305,7 @@ static int find_part(self_collision *s, const self_search *by, int part, int buc
     return status;
 }
 
-/* Concatenates the parts' pairs in order. 0, or -1: out of memory. */
+/* Concatenates the parts' pairs in order. Returns 0, or -1 if out of memory. */
 static int join(self_collision *s) {
     long first[SELF_PARTS + 1] = {0};
     for (int part = 0; part < SELF_PARTS; part++)

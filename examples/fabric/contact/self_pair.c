@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A vertex and a triangle, or two edges: distance, and the time at which they meet. */
+/* Distance of a pair (a vertex and a triangle, or two edges), and the time at which its features
+ * meet. */
 #include "base/vector.h"
 #include "nearest.h"
 #include "self_collision.h"
@@ -35,7 +36,7 @@ static double clamp(double value) {
     return value < 0 ? 0 : (value > 1 ? 1 : value);
 }
 
-/* Weights of the nearest points of the edges x0 x1 and x2 x3 (Ericson 2005, 5.1.9). */
+/* Computes the weights of the nearest points of the edges x0 x1 and x2 x3 (Ericson 2005, 5.1.9). */
 static void nearest_on_edges(const double x[4][3], double weight[4]) {
     double d1[3], d2[3], r[3];
     vector_subtract(x[1], x[0], d1);
@@ -55,7 +56,7 @@ static void nearest_on_edges(const double x[4][3], double weight[4]) {
     weight[3] = -t;
 }
 
-/* Projects the vertex onto the triangle's plane: weights of the vertex and of the projection.
+/* Projects the vertex onto the triangle's plane and computes the weights of vertex and projection.
  * Returns the projection's least barycentric coordinate: below 0, it is outside of the triangle. */
 static double foot_in_plane(const double x[4][3], double weight[4]) {
     double one[3], other[3], from[3];
@@ -76,8 +77,8 @@ static double foot_in_plane(const double x[4][3], double weight[4]) {
     return v < u ? (v < w ? v : w) : (u < w ? u : w);
 }
 
-/* The features' distance, and the weights of their nearest points; infinite if the vertex'
- * projection lies outside of the triangle by more than `outside`. */
+/* Computes the weights of the features' nearest points. Returns their distance, infinite if the
+ * vertex's projection lies outside of the triangle by more than `outside`. */
 static double distance_between(int is_edges, const double x[4][3], double outside,
                                double weight[4]) {
     double separation[3];
@@ -89,7 +90,8 @@ static double distance_between(int is_edges, const double x[4][3], double outsid
     return vector_length(separation);
 }
 
-/* The normal from the second feature to the first at the start. */
+/* Sets the normal, from the second feature to the first, and the distance at positions x. Returns 0
+ * if the distance is 0. */
 static int set_normal(const double x[4][3], self_contact *found) {
     double separation[3];
     nearest_combine(x, found->weight, separation);
@@ -102,7 +104,8 @@ int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_conta
     return distance < gap && distance > 1e-6 * gap && set_normal(x, found);
 }
 
-/* Six times the volume of the four points at time t: 0 if they are coplanar. */
+/* Returns six times the volume of the tetrahedron of the four points at time t; it is 0 if they are
+ * coplanar. */
 static double volume_at(const double x[4][3], const double y[4][3], double t) {
     double at[3][3], cross[3];
     for (int k = 0; k < 3; k++)
@@ -112,8 +115,8 @@ static double volume_at(const double x[4][3], const double y[4][3], double t) {
     return vector_dot(cross, at[2]);
 }
 
-/* The coefficients of the volume as a cubic in t, from its values at four times; value: those at
- * the two ends. */
+/* Computes the coefficients c of the volume as a cubic in t, from its values at four times; `value`
+ * receives the values at t = 0 and 1. */
 static void fit(const double x[4][3], const double y[4][3], double c[4], double value[2]) {
     const double f0 = volume_at(x, y, 0), f1 = volume_at(x, y, 1.0 / 3);
     const double f2 = volume_at(x, y, 2.0 / 3), f3 = volume_at(x, y, 1);
@@ -125,7 +128,7 @@ static void fit(const double x[4][3], const double y[4][3], double c[4], double 
     c[3] = 9 * (-f0 + 3 * f1 - 3 * f2 + f3) / 2;
 }
 
-/* The cubic's extrema within (0, 1), ascending; returns how many. */
+/* Finds the cubic's extrema within (0, 1), ascending. Returns their number. */
 static int turning_points(const double c[4], double at[2]) {
     const double a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
     int count = 0;

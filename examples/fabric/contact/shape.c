@@ -13,14 +13,15 @@ static double sphere_distance(double radius, const double p[3], double normal[3]
     return length - radius;
 }
 
-/* The normal of a point on a cylinder's axis: any direction perpendicular to the axis. */
+/* Computes the normal of a point on a cylinder's axis: any direction perpendicular to the axis. */
 static void set_across(const double axis[3], double normal[3]) {
     const double other[3] = {fabs(axis[0]) < 0.5 ? 1 : 0, fabs(axis[0]) < 0.5 ? 0 : 1, 0};
     vector_cross(axis, other, normal);
     vector_unit(normal, normal);
 }
 
-/* The distance from the nearest point of a box or, for a point inside, from the nearest face. */
+/* Returns the distance from the nearest point of a box or, for a point inside, minus the distance
+ * from the nearest face. */
 static double box_distance(const double half[3], const double p[3], double normal[3]) {
     double outside[3], depth = -INFINITY;
     int nearest = 0;
@@ -40,7 +41,7 @@ static double box_distance(const double half[3], const double p[3], double norma
     return depth > 0 ? length : depth;
 }
 
-/* In the plane through the axis and the point, a cylinder with flat ends is a rectangle: a
+/* In the plane through the axis and the point, a cylinder with flat ends is a rectangle, that is, a
  * two-dimensional box. */
 static double cylinder_distance(const collider *k, const double p[3], double normal[3]) {
     const double along = vector_dot(p, k->axis);
@@ -80,7 +81,8 @@ double shape_distance(const collider *k, const double p[3], double normal[3]) {
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found) {
     const double length = vector_length(u);
     const double near_enough = 1e-3 * k->gap + 1e-9;
-    enum { most_steps = 64 }; /* only a path along a surface needs more: treated as a contact */
+    /* Only a path along a surface needs more steps; it is treated as a contact. */
+    enum { most_steps = 64 };
     double at[3] = {p[0], p[1], p[2]};
     double path_done = 0;
     double left = shape_distance(k, p, found->normal) - k->gap;

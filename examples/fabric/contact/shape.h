@@ -6,31 +6,31 @@
 
 #include "scene/scene.h"
 
-/** Signed distance (m, negative inside) of point p, relative to the collider's position, and the
- *  unit direction in which the distance grows. */
+/** Returns the signed distance (m, negative inside) of point p, relative to the collider's
+ *  position. `normal` receives the unit direction in which the distance grows. */
 double shape_distance(const collider *k, const double p[3], double normal[3]);
 
 typedef struct approach {
-    double normal[3];  /* unit, out of the collider */
+    double normal[3];  /* unit normal, out of the collider */
     double room;       /* m, how far the point may still move against the normal; < 0: it must be
                         * pushed out */
-    double beyond;     /* m, how far the path's end is beyond `room`; < 0: it ends before */
+    double beyond;     /* m, distance of the path's end beyond `room`; < 0: it ends before */
     double carried[3]; /* m/s, velocity of the collider's material there; filled in by motion.h */
 } approach;
 
 /**
- * Follows p (from the collider's position) along the straight path `u`, both m and relative to the
- * moving collider. Returns 1, with the first place at which the distance falls to the collider's
- * gap in *found; 0 if the distance stays above the gap. Each advance is as long as the distance
- * allows (sphere tracing, Hart 1996), so neither thin colliders nor long paths are missed. A point
- * on the outer side of the plane through that place is outside a convex shape. In the hollow of a
- * mesh it may meet another face; the next step finds that.
+ * Follows p (relative to the collider's position) along the straight path `u`, both in m in the
+ * moving collider's frame. Returns 1, with the first place at which the distance falls to the
+ * collider's gap in *found, or 0 if the distance stays above the gap. Each advance is as long as
+ * the distance allows (sphere tracing, Hart 1996), so neither thin colliders nor long paths are
+ * missed. A point on the outer side of the plane through that place is outside a convex shape. In
+ * the hollow of a mesh it may meet another face; the next step finds that.
  */
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found);
 
-/** The collider's surface, counter-clockwise from outside, relative to its position. A plane
- *  becomes a square of half side `reach` (m) around its point nearest to `middle`. No edges, no
- *  hinges; mesh_free frees it. 0, or -1: out of memory. */
+/** Creates the collider's surface, counter-clockwise from outside, relative to its position. A
+ *  plane becomes a square of half side `reach` (m) around its point nearest to `middle`. The mesh
+ *  has no edges or hinges; mesh_free frees it. Returns 0, or -1 if out of memory. */
 int solid_mesh(const collider *c, const double middle[3], double reach, mesh *m);
 
 #endif

@@ -15,11 +15,12 @@ typedef struct search {
     const double (*p)[3]; /* [3] the triangle */
     int is_convex;
     int visited;  /* number of parts visited */
-    double slack; /* m, absolute tolerance of the result; */
-    double part;  /* relative tolerance, of the distance's excess over `kept`; they add up */
+    double slack; /* m, absolute tolerance of the result */
+    double part;  /* relative tolerance, added to `slack`: fraction of the distance's excess over
+                   * `kept` */
     double kept;
-    double distance;  /* m, the least so far; initially the distance of interest */
-    double weight[3]; /* of the nearest point */
+    double distance;  /* m, the least distance so far; at first the largest distance of interest */
+    double weight[3]; /* weights of the nearest point */
     double normal[3];
 } search;
 

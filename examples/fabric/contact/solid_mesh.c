@@ -18,7 +18,7 @@ static void set_triangle(mesh *m, int number, int a, int b, int c) {
     m->triangle[number][2] = c;
 }
 
-/** Vertex k is at + or - half an edge along x, y, z by the bits 1, 2, 4 of k. */
+/** Vertex k is at + or - half an edge along x, y, z, as bits 0, 1, 2 of k say. */
 static int box_mesh(const collider *c, mesh *m) {
     static const int corner[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
                                       {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
@@ -32,7 +32,8 @@ static int box_mesh(const collider *c, mesh *m) {
     return 0;
 }
 
-/** Rings of AROUND vertices between two end vertices: number 0 before ring 0, and the last. */
+/** Makes rings of AROUND vertices between two end vertices: number 0 before ring 0, and the last
+ *  number after the last ring. */
 static int rings_mesh(mesh *m, int rings) {
     int t = 0;
     if (mesh_allocate(m, rings * AROUND + 2, 2 * AROUND * rings) != 0)
@@ -68,7 +69,8 @@ static int sphere_mesh(const collider *c, mesh *m) {
     return 0;
 }
 
-/** Two unit vectors at right angles to the axis and to each other: first x second = axis. */
+/** Computes two unit vectors at right angles to the axis and to each other, with first x second =
+ *  axis (cross product). */
 static void axes_across(const double axis[3], double first[3], double second[3]) {
     const double other[3] = {fabs(axis[0]) < 0.9 ? 1 : 0, fabs(axis[0]) < 0.9 ? 0 : 1, 0};
     vector_cross(other, axis, second);

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Damping forces (see triangle.h and hinge.h): f = -kd dC (dC . v) for each condition C. */
+/* Damping forces (see triangle.h and hinge.h): f = -kd dC (dC . v) for each condition C and its
+ * damping coefficient kd. */
 #include "hinge.h"
 #include "hinge_gradient.h"
 #include "triangle.h"
 
-/* Direction of w; the coordinate axis `axis` if the triangle has collapsed, as in triangle_terms.h.
- */
+/* Computes the unit direction n of w, or the coordinate axis `axis` if the triangle has collapsed,
+ * as in triangle_terms.h. */
 static inline void direction(const double w[3], int axis, double n[3]) {
     const double length = vector_length(w);
     const int usable = length > 1e-8;

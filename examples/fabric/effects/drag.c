@@ -6,8 +6,8 @@
 #include "outer_force.h"
 
 /* Computes d = h drag (a / 3) n n', which the triangle adds to each of its diagonal blocks, and
- * f[p] = -d (v_p - wind), which it adds to b. cross: 2 a n, `length` long. d and f are 0 for a
- * collapsed triangle. */
+ * f[p] = -d (v_p - wind), which it adds to b. factor = h drag, cross = 2 a n, length = |cross|. d
+ * and f are 0 for a collapsed triangle. */
 static void across(const double cross[3], double length, const double wind[3], double factor,
                    const double v_i[3], const double v_j[3], const double v_k[3], double f[3][3],
                    double d[3][3]) {
@@ -27,7 +27,7 @@ static void across(const double cross[3], double length, const double wind[3], d
             d[r][c] = scale * (cross[r] * cross[c]);
 }
 
-/* The same with I - n n' in place of n n'. */
+/* Computes the terms of `across` with I - n n' in place of n n'. */
 static void along(const double cross[3], double length, const double wind[3], double factor,
                   const double v_i[3], const double v_j[3], const double v_k[3], double f[3][3],
                   double d[3][3]) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The work of wind on the cloth (see drag.h for the force). */
+/* The work of drag and wind on the cloth (see drag.h for the force). */
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "drag.h"
@@ -26,7 +26,7 @@ double drag_work(const triangle_elements *e, drag_kind kind, double drag, const 
                  double h, const double (*x)[3], const double (*v)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
     const int count = e->count;
-    if (drag <= 0 || vector_length(wind) <= 0) /* air at rest only takes energy */
+    if (drag <= 0 || vector_length(wind) <= 0) /* air at rest takes energy and gives none */
         return 0;
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)

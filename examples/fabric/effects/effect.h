@@ -9,7 +9,7 @@ enum {
     EFFECT_COUNT
 };
 
-/* Bits of the effects that a build leaves out, to measure what their presence costs. */
+/* Bit mask of the effects that a build leaves out, to measure what each effect costs. */
 #ifndef FABRIC_WITHOUT
 #define FABRIC_WITHOUT 0
 #endif

@@ -6,10 +6,10 @@
 #include "hinge_gradient.h"
 
 /*
- * f: the hinge's terms of b; df: those of A, blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l)
- * (k,k) (k,l) (l,l) of the ascending vertices. Gauss-Newton: h^2 K + h D = d d' with
- * d = sqrt(h^2 k + h kd) g; the term in theta's second derivative, which may be indefinite, is left
- * out.
+ * f: the hinge's terms of b; df: those of A, blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l) (k,k)
+ * (k,l) (l,l) of the ascending vertices. With stiffness k, damping kd and the gradient g of theta,
+ * the Gauss-Newton matrix h^2 K + h D is d d', where d = sqrt(h^2 k + h kd) g. The term in theta's
+ * second derivative may be indefinite and is left out.
  */
 static void hinge_force(const int corner[4], const int role[4], double stiffness, double damping,
                         double angle, double h, const double (*x)[3], const double (*v)[3],

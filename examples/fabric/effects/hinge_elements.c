@@ -10,13 +10,13 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* The area of a flat triangle, and its first edge's length squared. */
+/* Returns the area of a flat triangle, and in *square its first edge's length squared. */
 static double rest_area(const double uv[3][2], double *square) {
     *square = uv[1][0] * uv[1][0] + uv[1][1] * uv[1][1];
     return fabs(uv[1][0] * uv[2][1] - uv[2][0] * uv[1][1]) / 2;
 }
 
-/* 3 |e|^2 / a, or 0 if a triangle has no rest shape. */
+/* Returns the weight 3 |e|^2 / a (hinge.h), or 0 if a triangle has no rest shape. */
 static double rest_weight(const mesh *m, const int corner[4]) {
     double left[3][2], right[3][2], square, same;
     if (mesh_rest_triangle(m, corner[0], corner[1], corner[2], left) == MESH_REST_NONE ||
@@ -27,7 +27,8 @@ static double rest_weight(const mesh *m, const int corner[4]) {
     return 3 * square / (one + other);
 }
 
-/* vertex = corner in ascending order; role[p] = which corner vertex[p] is. */
+/* Fills `vertex` with the corners in ascending order, and role[p] with the index in `corner` of
+ * vertex[p]. */
 static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
     for (int p = 0; p < 4; p++) {
         int at = p;
@@ -40,7 +41,8 @@ static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
     }
 }
 
-/* The angle in (-pi, pi]. atan2 is accurate near 0; an arc cosine would lose half the digits. */
+/* Returns the angle between the hinge's triangles, in (-pi, pi]. atan2 is accurate near 0; an arc
+ * cosine would lose half the digits. */
 static double hinge_angle(const double (*x)[3], const int corner[4]) {
     double e[3], a[3], b[3], n1[3], n2[3], across[3];
     vector_subtract(x[corner[1]], x[corner[0]], e);
@@ -102,7 +104,8 @@ void hinge_elements_free(hinge_elements *e) {
     *e = (hinge_elements){0};
 }
 
-/* The angle at x, of those that differ by whole rotations the one nearest to the stored angle. */
+/* Returns the angle of hinge t at positions x. Angles are unique up to whole rotations; the value
+ * nearest to the stored angle is returned. */
 static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
     const double angle = hinge_angle(x, e->corner[t]) - (e->at_rest ? e->at_rest[t] : 0);
     const double change = e->angle[t] - angle;

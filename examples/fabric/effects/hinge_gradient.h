@@ -6,16 +6,17 @@
 #include "base/vector.h"
 
 /**
- * The gradient of theta with respect to the four corners. With e = x1 - x0, normals
- * n1 = e x (x2 - x0) and n2 = (x3 - x0) x e, and t2, t3 the wings' projections onto e (0 at x0, 1
- * at x1):
+ * The gradients g0 to g3 (1/m) of theta with respect to the four corners. With e = x1 - x0, the
+ * normals n1 = e x (x2 - x0) and n2 = (x3 - x0) x e (x: cross product), and the wings' projections
+ * t2 and t3 onto e (0 at x0, 1 at x1):
  *     g2 = -|e| n1 / |n1|^2                  g3 = -|e| n2 / |n2|^2
  *     g0 = -(1 - t2) g2 - (1 - t3) g3        g1 = -t2 g2 - t3 g3
  * (Bridson, Marino and Fedkiw 2003; the sum is 0: no net force).
  */
 static inline void hinge_gradient(const double x0[3], const double x1[3], const double x2[3],
                                   const double x3[3], double g[4][3]) {
-    const double lowest_wing = 1e-3;    /* least height / edge: gradients grow as 1/height */
+    const double lowest_wing = 1e-3;    /* least ratio of height to edge, because gradients grow as
+                                         * 1/height */
     const double shortest_edge = 1e-12; /* m; a shorter edge has gradient 0 */
     double e[3], a[3], b[3], n1[3], n2[3];
     double ee, length, least, usable, s1, s2, t2, t3;

@@ -5,9 +5,9 @@
 #include "base/vector.h"
 
 /*
- * The terms of one direction. With n = w / |w| and b = 1 + limit, the gradient is
- * h dE/dw = h k a (|w| - b) n and the second derivative k a (n n' + g (I - n n')),
- * g = max(0, 1 - b / |w|). `on` is 1 if this direction is limited, otherwise 0.
+ * The terms of one direction w. With n = w / |w|, b = rest_length = 1 + limit, stiffness k and area
+ * a, the gradient is h dE/dw = h k a (|w| - b) n. The Hessian is h^2 k a (n n' + g (I - n n')), g =
+ * max(0, 1 - b / |w|). `on` is 1 if this direction is limited, otherwise 0.
  */
 static inline void limit_terms(const double w[3], double on, double rest_length, double area,
                                double stiffness, double h, double gradient[3],
@@ -26,8 +26,8 @@ static inline void limit_terms(const double w[3], double on, double rest_length,
     }
 }
 
-/* f and df: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k), as in triangle_terms.h but without shear.
- */
+/* Computes f and df as triangle_force does, without shear; df has the blocks (i,i) (i,j) (i,k)
+ * (j,j) (j,k) (k,k). */
 static void limit_force(const triangle_rest *rest, unsigned over, double rest_length,
                         double stiffness, double h, const double (*x)[3], const double (*v)[3],
                         int i, int j, int k, double f[3][3], double df[6][3][3]) {

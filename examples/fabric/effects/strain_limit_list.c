@@ -41,7 +41,7 @@ void strain_limit_find(strain_limit *l, const triangle_elements *e, const double
     list(l, e->count);
 }
 
-/* |w_u| and |w_v| after h s. (w is linear in the positions.) */
+/* Computes |w_u| and |w_v| of triangle t after h s with velocities v + dv. */
 static void later_lengths(const triangle_elements *e, int t, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3], double length[2]) {
     const int *corner = e->vertex[t];
@@ -57,7 +57,7 @@ static void later_lengths(const triangle_elements *e, int t, double h, const dou
 int strain_limit_find_missed(strain_limit *l, const triangle_elements *e, double h,
                              const double (*x)[3], const double (*v)[3], const double (*dv)[3]) {
     l->count = 0;
-    /* A new list, in order: the elements of the old one are already in the system. */
+    /* Starts a new list, because the old list's triangles are already in the system. */
     for (int t = 0; t < e->count; t++) {
         double length[2];
         if (l->over[t] != 0)

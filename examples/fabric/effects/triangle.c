@@ -6,13 +6,13 @@
 #include "effect.h"
 #include "triangle_terms.h"
 
-/* The effects that this build contains: FABRIC_WITHOUT leaves some out. */
+/* The effects that this build contains. The macro FABRIC_WITHOUT leaves some out. */
 enum {
     built_effects = (BUILT_WITH(EFFECT_STRETCH) ? TRIANGLE_STRETCH : 0) |
                     (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)
 };
 
-/* Adds f and df of triangle t: the same statements in every loop. Macros: redcc could not
+/* These macros add f and df of triangle t; every loop contains the same statements. redcc could not
  * parallelise a called function that makes all these updates. */
 #define ADD_FORCE                                                                                  \
     for (p = 0; p < 3; p++)                                                                        \

@@ -3,13 +3,14 @@
  * Stretch and shear, with their damping, in every triangle.
  *
  * The map from material coordinates (u, v) to space has the derivatives
- *     w_u = sum cu_p x_p,   w_v = sum cv_p x_p   over the triangle's vertices p,
- * where sum cu_p = sum cv_p = 0. With the rest area a the conditions and energies are
+ *     w_u = sum cu_p x_p,   w_v = sum cv_p x_p   over the triangle's vertices p at positions x_p
+ * where sum cu_p = sum cv_p = 0. With the rest area a the conditions C and energies E (J) are
  *     stretch  C = sqrt(a) (|w_u| - 1), and the same in v    E = k C^2 / 2    k N/m
  *     shear    C = sqrt(a) w_u . w_v                         E = k C^2 / 2    k N/m
  * (Baraff and Witkin 1998, section 4, but with sqrt(a) instead of a: so the energy is proportional
- * to the area, and the stiffness does not depend on the mesh). Damping: f = -kd dC (dC . v), kd N
- * s/m.
+ * to the area, and the stiffness does not depend on the mesh). The damping force in N is f = -kd dC
+ * (dC . v) with kd in N s/m, the gradient dC of C with respect to the positions, and the velocities
+ * v.
  */
 #ifndef FABRIC_TRIANGLE_H
 #define FABRIC_TRIANGLE_H
@@ -37,10 +38,10 @@ typedef struct triangle_material {
     double stretch_damping, shear_damping; /* N s/m */
 } triangle_material;
 
-/** The mesh's triangles. Those without a rest shape (mesh_rest.h) carry no force and are left out.
- *  0, or -1: out of memory. */
+/** Takes over the mesh's triangles, except those without a rest shape (mesh_rest.h), which carry no
+ *  force. Returns 0, or -1 if out of memory. */
 int triangle_elements_init(triangle_elements *e, const mesh *m);
-/** Fills `block`. 0, or -1: out of memory. */
+/** Fills `block`. Returns 0, or -1 if out of memory. */
 int triangle_elements_place(triangle_elements *e, const block_matrix *A);
 void triangle_elements_free(triangle_elements *e);
 
@@ -50,19 +51,20 @@ void triangle_forces(const triangle_elements *e, const triangle_material *materi
                      const double (*restrict x)[3], const double (*restrict v)[3],
                      linear_system *s);
 
-/** b += h f, f being only the damping force of stretch and shear, without its derivatives, at
- *  positions x (m) and velocities v (m/s). triangle_forces linearises damping together with
- *  stiffness; an iteration of Newton's method, with independent positions and velocities, needs
- *  -h D(x) v separately. */
+/** Adds h f to b with the damping force f of stretch and shear at positions x (m) and velocities v
+ *  (m/s). A is unchanged. triangle_forces linearises damping together with stiffness; an iteration
+ *  of Newton's method, with independent positions and velocities, needs -h D(x) v separately (D:
+ *  the damping matrix). */
 void triangle_damping_forces(const triangle_elements *e, const triangle_material *material,
                              double h, const double (*restrict x)[3], const double (*restrict v)[3],
                              double (*restrict b)[3]);
 
-/** Energies at positions x, in J. Either pointer may be NULL. */
+/** Computes the energies at positions x, in J. Either pointer may be NULL. */
 void triangle_energies(const triangle_elements *e, const triangle_material *material,
                        const double (*x)[3], double *stretch, double *shear);
 
-/** The largest |w_u| - 1 or |w_v| - 1; NaN if a position is not finite. */
+/** Returns the largest strain |w_u| - 1 or |w_v| - 1 of all triangles: -1 if there are none, or NaN
+ *  if a position is not finite. */
 double triangle_greatest_strain(const triangle_elements *e, const double (*x)[3]);
 
 /** w_u and w_v of the triangle with vertices i, j, k, computed from differences of positions so

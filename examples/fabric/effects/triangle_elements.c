@@ -14,7 +14,8 @@ static void sort_three(const int in[3], int out[3]) {
     out[1] = in[2] < low ? low : (in[2] > high ? high : in[2]);
 }
 
-/* Computes cu and cv, the inverse of the flat triangle's edge matrix. 0 if it has no rest shape. */
+/* Computes cu and cv, the inverse of the flat triangle's edge matrix. Returns 0 if the triangle has
+ * no rest shape, otherwise 1. */
 static int rest_shape(const mesh *m, const int vertex[3], triangle_rest *rest) {
     double uv[3][2];
     if (mesh_rest_triangle(m, vertex[0], vertex[1], vertex[2], uv) == MESH_REST_NONE)

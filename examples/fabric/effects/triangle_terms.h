@@ -9,7 +9,7 @@
 #include "base/vector.h"
 #include "triangle.h"
 
-/** Effects of a triangle, each with its damping. */
+/** The effects in a triangle, each together with its damping. */
 enum { TRIANGLE_STRETCH = 1, TRIANGLE_SHEAR = 2 };
 
 #if defined(__GNUC__)
@@ -22,11 +22,11 @@ enum { TRIANGLE_STRETCH = 1, TRIANGLE_SHEAR = 2 };
 static const double collapsed = 1e-8;
 
 /*
- * Stretch in one direction. With n = w / |w|, the gradient of E with respect to w is
- * k a (|w| - 1) n, and the second derivative k a (n n' + g (I - n n')), g = 1 - 1/|w|. Under
- * compression g < 0 would make the matrix indefinite, so negative g is replaced by 0. A collapsed
- * triangle is pushed along `axis`.
- * gradient = h dE/dw; hessian = h^2 d2E/dw2 + h kd a n n'.
+ * Stretch in one direction w. With n = w / |w|, stiffness k, damping kd and area a, the gradient of
+ * E with respect to w is k a (|w| - 1) n, and the second derivative k a (n n' + g (I - n n')), g =
+ * 1 - 1/|w|. Under compression g < 0 would make the matrix indefinite, so negative g is replaced by
+ * 0. A collapsed triangle is pushed along `axis`.
+ *     gradient = h dE/dw,  hessian = h^2 d2E/dw2 + h kd a n n'
  */
 TRIANGLE_INLINE void stretch_terms(const double w[3], int axis, double area, double stiffness,
                                    double damping, double h, double gradient[3],
@@ -49,9 +49,11 @@ TRIANGLE_INLINE void stretch_terms(const double w[3], int axis, double area, dou
 }
 
 /*
- * Shear uses only the Gauss-Newton part of its second derivative, which is positive semidefinite;
- * the gradient of C is (w_v; w_u). Adds to h dE/dw_u, h dE/dw_v and the blocks uu and vv, or sets
- * them if `alone`; sets uv.
+ * Shear uses only the Gauss-Newton part of its second derivative, which is positive semidefinite.
+ * The gradient of C with respect to (w_u; w_v) is sqrt(a) (w_v; w_u). With step h, stiffness k,
+ * damping kd and area a, the arguments are shear = (h^2 k + h kd) a and slant = h k a w_u . w_v.
+ * Adds to the gradients h dE/dw_u and h dE/dw_v and to the blocks uu and vv, or sets them if
+ * `alone`. Sets uv.
  */
 TRIANGLE_INLINE void shear_terms(int alone, const double wu[3], const double wv[3], double shear,
                                  double slant, double force_u[3], double force_v[3],
@@ -70,12 +72,12 @@ TRIANGLE_INLINE void shear_terms(int alone, const double wu[3], const double wv[
 }
 
 /*
- * f: the triangle's terms of b; df: those of A, blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k).
- * Both come from derivatives with respect to (w_u, w_v): with Q = [uu uv; uv' vv] the element's
- * matrix is A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. The coefficients cu
- * and cv sum to 0, and so does each row of blocks: the blocks of i follow from (j,j), (j,k) and
- * (k,k). Without shear, uv is 0. Since b = h f_elastic - (h^2 K + h D) v, damping needs no separate
- * term in f.
+ * f: the triangle's terms of b; df: those of A, blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k). Both
+ * come from derivatives with respect to (w_u, w_v). With their matrix [uu uv; uv' vv], block (p,q)
+ * of the triangle is A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. The
+ * coefficients cu and cv sum to 0, and so does each row of blocks: the blocks of i follow from
+ * (j,j), (j,k) and (k,k). Without shear, uv is 0. With the stiffness and damping matrices K and D,
+ * b = h f_elastic - (h^2 K + h D) v, so damping needs no separate term in f.
  */
 TRIANGLE_INLINE void triangle_force(int effects, const triangle_rest *rest,
                                     const triangle_material *material, double h,

@@ -44,7 +44,7 @@ int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *erro
     return -1;
 }
 
-/** "triangle 3 (line 12)", counted from 1. */
+/** Writes "triangle 3 (line 12)", both counted from 1. */
 static void name_place(const char *path, int triangle, char place[PLACE_SIZE]) {
     const long line = obj_triangle_line(path, triangle);
     if (line > 0)

@@ -7,17 +7,17 @@
 #include "mesh/mesh_rest.h"
 #include "mesh/surface.h"
 
-/** Reads an OBJ file (obj.h); its coordinates are metres, z is up. 0, or -1 after
+/** Reads an OBJ file (obj.h), whose coordinates are in metres with z up. Returns 0, or -1 after
  *  "file: ..., expected ..." on standard error. mesh_free frees it. */
 int mesh_file_read(mesh *m, const char *path);
 
 /** Removes unusable triangles, connects the mesh and checks it: mesh_clean, mesh_connect and
- *  mesh_check. Prints a line to standard error for each kind of defect, beginning with `name`. 0,
- * or -1 with a message in error[256]. */
+ *  mesh_check. Prints a line that begins with `name` to standard error for each kind of defect.
+ *  Returns 0, or -1 with a message in error[256]. */
 int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *error);
 
-/** Reads a collider's surface. NULL if the file cannot be read or is not the surface of a solid
- *  (surface_check); error[256] then names the defect, its position and the expected value. */
+/** Reads a collider's surface. Returns NULL if the file cannot be read or is not the surface of a
+ *  solid (surface_check); error[256] then names the defect, its position and the expected value. */
 surface *surface_read(const char *path, char *error);
 
 #endif

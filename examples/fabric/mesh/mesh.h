@@ -10,9 +10,11 @@ typedef struct mesh {
     int hinge_count;
     double (*position)[3]; /* [vertex_count] m, initial positions */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
-    int rest_in_space;     /* the rest shape of each triangle follows from `position` instead */
-    int bent_at_rest;      /* hinges' rest angles are those in `position`; otherwise 0 */
-    int *number;        /* [vertex_count] each vertex' number before mesh_reorder; NULL: unknown */
+    int rest_in_space;     /* each triangle's rest shape follows from `position`, not from
+                            * `material` */
+    int bent_at_rest;      /* the hinges' rest angles are those in `position`; otherwise they are
+                            * 0 */
+    int *number;        /* [vertex_count] each vertex's number before mesh_reorder; NULL: unknown */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */
     int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings */
@@ -28,29 +30,31 @@ typedef enum mesh_order {
 } mesh_order;
 
 /**
- * A Delaunay mesh of a square of the given side (m) in the plane z = 0, centred at the origin, with
- * `boundary` of its `vertices` points on the border and the others inside, irregular but of even
- * density (libqhull; reproducible from the seed on any machine). It has 2 * vertices - 2 - boundary
- * triangles. Returns 0, or -1 with a message in error[256].
+ * Generates a Delaunay mesh of a square of the given side (m) in the plane z = 0, centred at the
+ * origin. Of its `vertices` points, `boundary` lie on the border and the others inside, irregular
+ * but of even density. libqhull triangulates them; the seed determines the mesh on any machine. It
+ * has 2 * vertices - 2 - boundary triangles. Returns 0, or -1 with a message in error[256].
  */
 int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned seed, char *error);
 
-/** Makes edges and hinges from the triangles; at an edge of three triangles or more the first two
- *  make the hinge. Counts such edges in *non_manifold. */
+/** Makes edges and hinges from the triangles. An edge of three triangles or more is counted in
+ *  *non_manifold; its first two triangles make the hinge. Returns 0, or -1 with a message in
+ *  error[256]. */
 int mesh_connect(mesh *m, int *non_manifold, char *error);
 
-/** Renumbers the vertices (`seed`: for random orders). Triangles, edges and hinges are then sorted
- * by their vertices, except that the shuffled order shuffles them too. new_of_old, if not NULL,
- *  [vertex_count] receives the permutation, so that results in different orders can be compared.
- *  Returns 0, or -1 with a message in error[256]: the mesh is unchanged. */
+/** Renumbers the vertices; `seed` is for the shuffled order. Triangles, edges and hinges are then
+ *  sorted by their vertices, except that the shuffled order shuffles them too. new_of_old
+ *  [vertex_count] receives the permutation unless it is NULL; with it, results in different orders
+ *  can be compared. Returns 0, or -1 with a message in error[256]; the mesh is then unchanged. */
 int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error);
 
 /** Renumbers the vertices by a permutation (`back`: by its inverse, which undoes mesh_reorder), and
  *  sorts triangles, edges and hinges by their vertices. Returns 0, or -1 with a message in
- * error[256]: new_of_old is no permutation, or out of memory. */
+ *  error[256] if new_of_old is no permutation or memory runs out. */
 int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
-/** The mean length of the triangles' sides in `position`, m; infinite if there are none. */
+/** Returns the mean length of the triangles' sides in `position`, m, or infinity without
+ *  triangles. */
 double mesh_mean_edge(const mesh *m);
 
 void mesh_free(mesh *m);

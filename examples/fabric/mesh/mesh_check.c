@@ -74,7 +74,7 @@ static sorted_triangle sorted(const int corner[3], int number) {
     return s;
 }
 
-/* Marks triangles to be removed. */
+/* Marks in `removed` all copies of a triangle but the first, and triangles with a vertex twice. */
 static int mark(const mesh *m, mesh_problem *found, unsigned char *removed) {
     sorted_triangle *all = malloc(((size_t)m->triangle_count + 1) * sizeof *all);
     if (!all)
@@ -159,7 +159,7 @@ static void check_triangles(const mesh *m, mesh_problem *found, unsigned char *u
             note(found, MESH_LONE_VERTEX, v);
 }
 
-/** A vertex' position and index. */
+/** A vertex's position and index. */
 typedef struct place {
     double at[3];
     int vertex;

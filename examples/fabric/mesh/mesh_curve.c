@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Vertices along Hilbert's curve (Hilbert, Ueber die stetige Abbildung einer Linie auf ein
- * Flaechenstueck, 1891): points near each other on the curve are near in the plane. */
+/* Orders vertices along Hilbert's curve (Hilbert, Ueber die stetige Abbildung einer Linie auf ein
+ * Flaechenstueck, 1891). Points near each other on the curve are near in the plane. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "mesh_parts.h"
 
-enum { BITS = 16 }; /* of a coordinate: the curve goes through 2^16 * 2^16 cells */
+enum { BITS = 16 }; /* per coordinate: the curve passes through 2^16 * 2^16 cells */
 
 typedef struct stop {
-    uint32_t along; /* number of cells before it on the curve */
+    uint32_t along; /* number of cells on the curve before the vertex's cell */
     int vertex;
 } stop;
 
-/** The number of cells that the curve passes before cell (x, y). The curve is recursive: in each
- *  quarter of a square it is the same, mirrored or rotated. */
+/** Returns the number of cells that the curve passes before cell (x, y). The curve is recursive: in
+ *  each quarter of a square it is the same, mirrored or rotated. */
 static uint32_t along_curve(uint32_t x, uint32_t y) {
     uint32_t along = 0;
     for (uint32_t half = 1u << (BITS - 1); half > 0; half /= 2) {

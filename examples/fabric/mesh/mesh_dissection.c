@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Nested dissection (George, Nested dissection of a regular finite element mesh, 1973) by METIS,
- * if the build has it: the two halves of the mesh come first, each numbered recursively, then the
+/* Nested dissection (George, Nested dissection of a regular finite element mesh, 1973) by METIS, if
+ * the build has METIS. The two halves of the mesh come first, each numbered recursively, then the
  * vertices that separate them. */
 #include <stdio.h>
 #include <stdlib.h>

@@ -17,7 +17,8 @@ static double doubled_area(double (*p)[2], const int t[3]) {
            (p[t[2]][0] - p[t[0]][0]) * (p[t[1]][1] - p[t[0]][1]);
 }
 
-/** Converts a facet of qhull to a counter-clockwise triangle. 0, or -1 when it is degenerate. */
+/** Converts a facet of qhull to a counter-clockwise triangle. Returns 0, or -1 if it is
+ *  degenerate. */
 static int take_facet(qhT *qh, const facetT *facet, double (*points)[2], int triangle[3]) {
     vertexT *vertex, **vertexp;
     int corners = 0;
@@ -37,8 +38,8 @@ static int take_facet(qhT *qh, const facetT *facet, double (*points)[2], int tri
     return area == 0.0 ? -1 : 0;
 }
 
-/** The Delaunay triangles: the lower side of the convex hull of the points lifted to a paraboloid.
- */
+/** Copies the Delaunay triangles: the lower side of the convex hull of the points lifted to a
+ *  paraboloid. */
 static int take_facets(qhT *qh, double (*points)[2], mesh *m, char *error) {
     facetT *facet;
     int found = 0;

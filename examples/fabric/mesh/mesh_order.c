@@ -21,7 +21,7 @@ typedef struct search {
     int *order;   /* vertices in the order they were reached */
     int *mark;    /* [vertex_count] number of the search that last reached the vertex */
     int *level;   /* [vertex_count] its distance from that search's root */
-    int searches; /* so far */
+    int searches; /* number of searches so far */
 } search;
 
 static int compare_words(const int *a, const int *b, int count) {
@@ -63,8 +63,7 @@ static void sort_edges(mesh *m) {
             m->edge[e][1] = swap;
         }
     for (int h = 0; h < m->hinge_count; h++)
-        if (m->hinge[h][0] >
-            m->hinge[h][1]) { /* rotated by 180 degrees: the hinge and its angle stay */
+        if (m->hinge[h][0] > m->hinge[h][1]) { /* rotated by 180 degrees, which keeps its angle */
             const int turned[4] = {m->hinge[h][1], m->hinge[h][0], m->hinge[h][3], m->hinge[h][2]};
             memcpy(m->hinge[h], turned, sizeof turned);
         }
@@ -119,7 +118,7 @@ static void sort_by_degree(const mesh_graph *g, int *vertices, int count) {
 }
 
 /** Breadth-first search from the root, neighbours in ascending order of degree. Fills order[0 ..]
- *  with the root's connected component; returns its number of vertices. */
+ *  with the root's connected component. Returns its number of vertices. */
 static int cuthill_mckee(const mesh_graph *g, search *s, int *order, int root) {
     int reached = 1;
     s->searches++;
@@ -177,7 +176,7 @@ static int sorted_order(const mesh *m, int *new_of_old) {
     return status;
 }
 
-/** Fisher and Yates. */
+/** A random permutation, by the Fisher-Yates shuffle. */
 static void shuffled_order(int count, random_source *source, int *new_of_old) {
     for (int i = 0; i < count; i++)
         new_of_old[i] = i;

@@ -5,8 +5,8 @@
 
 #include "mesh.h"
 
-/** Allocates zeroed vertices and triangles; no edges, no hinges. mesh_free frees it. 0, or -1 and
- * an empty mesh: out of memory. */
+/** Allocates zeroed vertices and triangles, but no edges and no hinges. Returns 0, or -1 and an
+ *  empty mesh if out of memory. mesh_free frees it. */
 int mesh_allocate(mesh *m, int vertices, int triangles);
 
 /** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1], each once or twice
@@ -17,16 +17,18 @@ typedef struct mesh_graph {
     int *neighbour;
 } mesh_graph;
 
-/** The graph of the triangles' edges. 0, or -1: out of memory; mesh_graph_free in either case. */
+/** Makes the graph of the triangles' edges. Returns 0, or -1 if out of memory. Call mesh_graph_free
+ *  in either case. */
 int mesh_graph_make(mesh_graph *g, const mesh *m);
 
 void mesh_graph_free(mesh_graph *g);
 
-/** The order along Hilbert's curve through the material coordinates. 0, or -1: out of memory. */
+/** Makes the order along Hilbert's curve through the material coordinates. Returns 0, or -1 if out
+ *  of memory. */
 int mesh_order_by_curve(const mesh *m, int *new_of_old);
 
-/** The order of a nested dissection. 0, or -1 with a message in error[256]: out of memory, or built
- *  without METIS. */
+/** Makes the order of a nested dissection. Returns 0, or -1 with a message in error[256] if out of
+ *  memory or built without METIS. */
 int mesh_order_by_dissection(const mesh *m, int *new_of_old, char *error);
 
 /** Rotates each triangle's vertices so that the lowest comes first, then sorts the triangles. */
@@ -36,7 +38,7 @@ void mesh_sort_triangles(mesh *m);
  * Puts `count` points into the square [-1/2, 1/2]^2: the first `boundary` (>= 4, corners included)
  * on its border, the others inside, irregular but of even density, and well away from the border.
  * Only +, -, *, / and square roots are used, so the seed determines every bit. points: [count].
- * Returns 0, or -1: out of memory.
+ * Returns 0, or -1 if out of memory.
  */
 int mesh_points(double (*points)[2], int count, int boundary, unsigned seed);
 

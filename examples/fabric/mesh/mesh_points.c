@@ -8,16 +8,19 @@
 #include "base/random.h"
 
 enum { RELAXATIONS = 16 };
-static const double BORDER_JITTER = 0.2; /* of the border's spacing, in either direction */
-static const double ROW_JITTER = 0.45;   /* of the spacing inside, before the points repel */
+static const double BORDER_JITTER = 0.2; /* in either direction, relative to the border's spacing */
+static const double ROW_JITTER = 0.45;   /* relative to the inner points' spacing, before they
+                                          * repel */
 static const double REACH = 1.3; /* distance up to which points repel each other, in spacings */
-static const double REPULSION = 0.25; /* above 0.6 or so the relaxation would oscillate */
-static const double MARGIN = 0.5;     /* of the spacing, kept between inside and border */
+static const double REPULSION = 0.25; /* share of the push applied at once; above about 0.6 points
+                                       * would oscillate */
+static const double MARGIN = 0.5;     /* least distance of inner points from the border, in
+                                       * spacings */
 
-/** Points sorted into square cells: those of cell c are item[start[c]] .. item[start[c + 1] - 1].
- */
+/** Points sorted into square cells: cell c has the points item[start[c]] .. item[start[c + 1] -
+ *  1]. */
 typedef struct cell_grid {
-    int side; /* cells a side */
+    int side; /* number of cells along each side of the square */
     int *start;
     int *item;
 } cell_grid;
@@ -80,8 +83,8 @@ static void fill_grid(cell_grid *grid, double (*points)[2], int count) {
     }
 }
 
-/** Adds to `push` the repulsion of `point` by the points in one row of neighbouring cells: `reach`
- * - d at a distance d below `reach`. */
+/** Adds to `push` the repulsion of `point` by the points in one row of neighbouring cells. A point
+ *  at a distance d below `reach` repels by `reach` - d. */
 static void repel(const cell_grid *grid, double (*points)[2], int point, int row, double reach,
                   double push[2]) {
     const int column = cell_of(grid, points[point][0]);

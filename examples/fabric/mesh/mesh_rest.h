@@ -11,24 +11,25 @@
 
 typedef enum mesh_rest_kind {
     MESH_REST_MATERIAL, /* from the material coordinates */
-    MESH_REST_POSITION, /* from the initial positions: rest_in_space, or material without area */
+    MESH_REST_POSITION, /* from the initial positions, if rest_in_space or without area in
+                         * `material` */
     MESH_REST_NONE      /* no rest shape: the positions have no area either */
 } mesh_rest_kind;
 
-/** Flattens the triangle i, j, k; uv[0] = (0, 0). Collinear material coordinates, and those with
- *  less than 1e-9 of the positions' area, are not used. */
+/** Computes the flat rest shape uv (m) of the triangle i, j, k, with uv[0] = (0, 0). Collinear
+ *  material coordinates, and those with less than 1e-9 of the positions' area, are not used. */
 mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[3][2]);
 
 /** The area of all rest shapes together, m^2. */
 double mesh_rest_area(const mesh *m);
 
-/** Defects of a mesh, with the number of the first triangle, edge or vertex of each kind. */
+/** Kinds of defects of a mesh. */
 enum {
     MESH_FLAT_TRIANGLE, /* no rest shape: no force */
     MESH_NO_MATERIAL,   /* rest shape from positions */
     MESH_FLIPPED,       /* triangles folded over all their neighbours */
     MESH_SEAM,          /* vertices at the position of another one: the mesh is not joined there */
-    MESH_LONE_VERTEX,   /* of no triangle: held in place */
+    MESH_LONE_VERTEX,   /* vertices in no triangle: held in place */
     MESH_NON_MANIFOLD,  /* edges of more than two triangles: only the first two make a hinge */
     MESH_DUPLICATE,     /* triangles with the vertices of another one: removed by mesh_clean */
     MESH_REPEATED_VERTEX, /* triangles with a vertex twice: removed by mesh_clean */
@@ -37,23 +38,24 @@ enum {
 
 typedef struct mesh_problem {
     int count;
-    int first; /* -1: there is none */
+    int first; /* index of the first triangle, edge or vertex with the defect; -1 if none */
 } mesh_problem;
 
-/** 0, or -1 with a message in error[256]: a coordinate is not finite, or a triangle names a vertex
- *  that does not exist. */
+/** Returns 0, or -1 with a message in error[256] if a coordinate is not finite or a triangle names
+ *  a vertex that does not exist. */
 int mesh_check_numbers(const mesh *m, char *error);
 
 /** Removes duplicate triangles and those with a vertex twice; to be called before mesh_connect.
- * Fills these two entries of found [MESH_PROBLEM_COUNT]. 0, or -1 with a message in error[256]: a
- * number is not finite, a vertex does not exist, or no triangle is left. */
+ *  Sets these two entries of found [MESH_PROBLEM_COUNT], and the others to none. Returns 0, or -1
+ *  with a message in error[256] if a number is not finite, a vertex does not exist, or no triangle
+ *  is left. */
 int mesh_clean(mesh *m, mesh_problem *found, char *error);
 
-/** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. 0, or -1: out of
- *  memory. */
+/** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. Returns 0, or -1
+ *  if out of memory. */
 int mesh_check(const mesh *m, mesh_problem *found);
 
-/** "triangles without area", ... : the kind's name, in the plural. */
+/** The name of a kind of defect in the plural, such as "triangles without area". */
 const char *mesh_problem_name(int problem);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-/* For qsort, of sides with the same lower vertex: by higher vertex, then by triangle. */
+/* Order for qsort of sides with the same lower vertex: by higher vertex, then by triangle. */
 static int compare(const void *left, const void *right) {
     const mesh_side *a = left, *b = right;
     if (a->high != b->high)
@@ -12,8 +12,8 @@ static int compare(const void *left, const void *right) {
                                       : a->number - b->number;
 }
 
-/* Sorts the sides by their lower vertex: those of vertex v begin at sides[start[v]] and end before
- * sides[start[v + 1]]. start: [vertex_count + 1], zeroed. */
+/* Sorts the sides by their lower vertex: those with lower vertex v begin at sides[start[v]] and end
+ * before sides[start[v + 1]]. start: [vertex_count + 1], zeroed. */
 static void collect(const mesh *m, mesh_side *sides, int *start) {
     for (int t = 0; t < m->triangle_count; t++)
         for (int k = 0; k < 3; k++) {

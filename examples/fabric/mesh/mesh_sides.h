@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sides of a mesh's triangles, those of one edge together. */
+/** The sides of a mesh's triangles, sorted so that the sides of one edge are adjacent. */
 #ifndef FABRIC_MESH_SIDES_H
 #define FABRIC_MESH_SIDES_H
 
 #include "mesh.h"
 
 typedef struct mesh_side {
-    int low, high; /* its vertices, ascending */
+    int low, high; /* the side's vertices, ascending */
     int triangle;
-    int number; /* 0 to 2: from the triangle's corner of that number to the next */
+    int number; /* 0 to 2: the side goes from this corner of the triangle to the next */
 } mesh_side;
 
-/** All sides, [3 * triangle_count], sorted by their vertices, then by triangle; to be freed. Does
- * not use the mesh's edges, which mesh_connect makes. NULL: out of memory. */
+/** Returns all sides, [3 * triangle_count], sorted by their vertices, then by triangle; the caller
+ *  frees them. Does not use the mesh's edges, which mesh_connect makes. Returns NULL if out of
+ *  memory. */
 mesh_side *mesh_sides_new(const mesh *m);
 
-/** The triangle's third vertex. */
+/** The vertex of the side's triangle that is not on the side. */
 static inline int mesh_side_wing(const mesh *m, const mesh_side *side) {
     return m->triangle[side->triangle][(side->number + 2) % 3];
 }
@@ -25,7 +26,7 @@ static inline int mesh_side_ascends(const mesh *m, const mesh_side *side) {
     return m->triangle[side->triangle][side->number] == side->low;
 }
 
-/** How many of the `count` >= 1 sides, from the first on, share the first one's edge. */
+/** Returns how many of the `count` >= 1 sides at `first` belong to the same edge as the first. */
 int mesh_sides_together(const mesh_side *first, int count);
 
 #endif

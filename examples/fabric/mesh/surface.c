@@ -25,7 +25,7 @@ struct surface {
     int *order;           /* [count] triangles in the leaves' order */
     tree_node *node;      /* [2 * count] */
     double (*face)[3];    /* [triangles] unit normals */
-    double (*edge)[3][3]; /* [triangles] pseudonormals of corners 0-1, 1-2, 2-0 */
+    double (*edge)[3][3]; /* [triangles] pseudonormals of the edges 0-1, 1-2, 2-0 */
     double (*vertex)[3];  /* [vertices] pseudonormals */
     arrays own;
 };
@@ -87,7 +87,7 @@ static void find_vertex_normals(surface *s) {
     }
 }
 
-/* A triangle without area has no normal and contributes nothing. */
+/* Sums the normals of each edge's triangles. A triangle without area has the normal 0. */
 static int find_edge_normals(surface *s) {
     const int count = 3 * s->mesh.triangle_count;
     mesh_side *sides = mesh_sides_new(&s->mesh);
@@ -122,7 +122,8 @@ static void bound(const surface *s, tree_node *node, int first, int count) {
     }
 }
 
-/* Splits the triangles at the middle of the box' longest edge; 0 if all are on one side. */
+/* Splits the triangles at the middle of the box's longest edge. Returns the number of triangles
+ * below it, or 0 if all are on one side. */
 static int split(surface *s, const tree_node *node, int first, int count) {
     int axis = 0, at = first;
     for (int a = 1; a < 3; a++)
@@ -185,15 +186,15 @@ surface *surface_new(mesh *m, char *error) {
     return NULL;
 }
 
-/** The nearest point so far. */
+/** The nearest point found so far. */
 typedef struct nearest {
     double square; /* squared distance */
     double point[3];
-    const double *normal; /* pseudonormal there */
+    const double *normal; /* pseudonormal at that point */
 } nearest;
 
-/* Updates *best by the triangle's nearest point. The region of the plane above which p lies shows
- * whether the point is on the face, an edge or a vertex (Ericson 2005, Real-Time Collision
+/* Updates *best if the triangle has a nearer point. The region of the plane above which p lies
+ * shows whether the point is on the face, an edge or a vertex (Ericson 2005, Real-Time Collision
  * Detection, 5.1.5). */
 static void take_triangle(const surface *s, int t, const double p[3], nearest *best) {
     const double *a = corner(s, t, 0), *b = corner(s, t, 1), *c = corner(s, t, 2);

@@ -6,7 +6,7 @@
 #include "base/vector.h"
 #include "mesh_sides.h"
 
-/* Checks an edge with all its `count` triangles. */
+/* Checks an edge whose `count` triangles have the sides of[0 ..]. */
 static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fault *fault) {
     for (int k = 1; k < count; k++)
         if (mesh_side_wing(m, &of[k]) == mesh_side_wing(m, &of[0])) {
@@ -23,7 +23,8 @@ static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fa
             of[1].triangle, of[0].triangle};
 }
 
-/* Six times the volume, relative to the first vertex, so that a solid far away loses no digits. */
+/* Returns six times the volume. It is computed relative to the first vertex, so that a solid far
+ * away loses no digits. */
 static double volume(const mesh *m) {
     const double *from = m->position[m->triangle[0][0]];
     double sum = 0;

@@ -7,7 +7,7 @@
 #include "mesh/surface.h"
 #include "output/sealed_file.h"
 
-/** Start of the payload. */
+/** The beginning of the payload. */
 typedef struct prologue {
     uint64_t cloth_hash, collider_hash;
     uint64_t text_size, saved_size;
@@ -30,7 +30,7 @@ static uint64_t hash_mesh(uint64_t hash, const mesh *m) {
     return fnv_1a(hash, m->triangle, sizeof *m->triangle * triangles);
 }
 
-/* Includes the hinges: a checkpoint stores their angles in this order. */
+/* The hash includes the hinges, because a checkpoint stores their angles in this order. */
 static uint64_t hash_cloth(const mesh *m) {
     const uint64_t hash = hash_mesh(FNV_1A_BEGIN, m);
     return fnv_1a(hash, m->hinge, sizeof *m->hinge * (size_t)m->hinge_count);
@@ -84,7 +84,7 @@ static int check_prologue(const sealed_header *header, const prologue *first) {
                : -1;
 }
 
-/** Points into the payload, which is in c->memory. */
+/** Sets c's pointers into the payload, which is in c->memory. Returns 0, or -1 after a message. */
 static int unpack(checkpoint *c, const sealed_header *header, const char *path) {
     unsigned char *payload = c->memory;
     prologue first;

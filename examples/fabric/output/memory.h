@@ -6,7 +6,8 @@
 /** The maximum resident size so far, bytes. */
 double memory_peak(void);
 
-/** Allocated and not freed, bytes, touched or not; -1 if the C library does not report it. */
+/** Returns the number of bytes that are allocated and not yet freed, touched or not, or -1 if the C
+ *  library does not report it. */
 double memory_allocated(void);
 
 #endif

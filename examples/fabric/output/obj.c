@@ -29,13 +29,13 @@ int obj_write(const mesh *m, const char *path) {
     return fresh_file_close(&f, 0);
 }
 
-/** A file that is read line by line, twice: first to count, then to fill the mesh. */
+/** A file that is read line by line, twice: first to count its items, then to fill the mesh. */
 typedef struct obj_reader {
     const char *path;
     long line;
     int vertices, materials, triangles;
-    double (*material)[2]; /* [materials] of the vt lines */
-    mesh *into;            /* NULL: only count */
+    double (*material)[2]; /* [materials] coordinates of the vt lines */
+    mesh *into;            /* NULL while items are only counted */
     int wanted;            /* index of the triangle to find */
     long wanted_line;      /* the line of that triangle; 0: not read yet */
 } obj_reader;
@@ -64,16 +64,16 @@ static int read_numbers(const obj_reader *r, const char *text, double *number, i
     return 0;
 }
 
-/** Converts a reference to an index from 0; negative references count back from the last item read.
- *  -1: invalid. */
+/** Converts a reference to an index from 0, or -1 if it is invalid. Negative references count back
+ *  from the last item read. */
 static int resolve(long reference, int count) {
     if (reference < 0)
         reference += count + 1;
     return reference >= 1 && reference <= count ? (int)(reference - 1) : -1;
 }
 
-/** Reads one corner: "vertex" or "vertex/material", optionally followed by "/normal". NULL after a
- *  message. */
+/** Reads one corner: "vertex" or "vertex/material", optionally followed by "/normal". Returns the
+ *  text after it, or NULL after a message. */
 static const char *read_corner(const obj_reader *r, const char *text, int *vertex, int *material) {
     char *end;
     *vertex = resolve(strtol(text, &end, 10), r->vertices);

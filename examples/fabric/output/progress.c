@@ -16,7 +16,7 @@ enum { BAR_BEAT = 1, LINES_BEAT = 60 };
 
 const char *const progress_styles[] = {"auto", "bar", "lines", "json", "none", NULL};
 
-/* State of the alarm's handler. Lines, bars and beats are written unbuffered, by write(). */
+/* State of the alarm's handler, which prints signs of life (beats) by write(). */
 static volatile sig_atomic_t beats;
 static char beat_begin[200]; /* text before the seconds */
 static volatile sig_atomic_t beat_ready;
@@ -28,7 +28,8 @@ progress_style progress_resolve(progress_style style) {
     return isatty(STDERR_FILENO) ? PROGRESS_BAR : PROGRESS_LINES;
 }
 
-/* Only functions that are safe in a handler: no stdio. */
+/* The alarm's handler prints a sign of life. It calls only functions that are safe in a signal
+ * handler, hence no stdio. */
 static void beat(int signal_number) {
     char text[sizeof beat_begin + 32], digits[12];
     size_t length = 0;
@@ -54,10 +55,10 @@ static void set_alarm(int seconds) {
     setitimer(ITIMER_REAL, &every, NULL);
 }
 
-/* Starts the signs of life of the next step; `text`: the beginning of each. */
+/* Starts the signs of life of the next step. Each begins with `text`. */
 static void start_beating(const progress *p, const char *text) {
     beat_ready = 0;
-    atomic_signal_fence(memory_order_seq_cst); /* the handler sees these in this order */
+    atomic_signal_fence(memory_order_seq_cst); /* the handler sees the stores in this order */
     beats = 0;
     snprintf(beat_begin, sizeof beat_begin, "%s", text);
     beat_seconds = p->style == PROGRESS_BAR ? BAR_BEAT : LINES_BEAT;
@@ -92,7 +93,7 @@ void progress_end(progress *p) {
         fputc('\n', stderr);
 }
 
-/* "1:02:03 left", "2:03 left" or "4.5 s left" */
+/* Writes "1:02:03 left", "2:03 left" or "4.5 s left". */
 static void format_left(char text[40], double seconds) {
     const long whole = (long)(seconds + 0.5);
     if (seconds < 60)
@@ -103,7 +104,7 @@ static void format_left(char text[40], double seconds) {
         snprintf(text, 40, "%ld:%02ld:%02ld left", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-/* Short, for a terminal of 80 columns. */
+/* Prints a bar that fits a terminal of 80 columns. */
 static void print_bar(const progress *p, long step, double seconds, const char *left) {
     enum { WIDTH = 24 };
     char bar[WIDTH + 1], text[160];
@@ -113,7 +114,7 @@ static void print_bar(const progress *p, long step, double seconds, const char *
     bar[WIDTH] = '\0';
     snprintf(text, sizeof text, "\r[%s] step %ld of %ld, %.1f s, %s", bar, step, p->steps, seconds,
              left);
-    fprintf(stderr, "%s\033[K", text); /* erases the rest of a longer line */
+    fprintf(stderr, "%s\033[K", text); /* erases the rest of a longer old line */
     strcat(text, " (");
     if (step < p->steps)
         start_beating(p, text);

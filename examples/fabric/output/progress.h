@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Progress of a run: the steps done, the remaining time, and signs of life. */
+/** Progress of a run: the steps done, the remaining time, and signs of life during long steps. */
 #ifndef FABRIC_OUTPUT_PROGRESS_H
 #define FABRIC_OUTPUT_PROGRESS_H
 
@@ -14,14 +14,15 @@ typedef enum progress_style {
 /** The styles' names, in their order, NULL after the last. */
 extern const char *const progress_styles[];
 
-/** Replaces PROGRESS_AUTO by the style for standard error; returns other styles unchanged. */
+/** Replaces PROGRESS_AUTO by the style for standard error. Returns other styles unchanged. */
 progress_style progress_resolve(progress_style style);
 
-/** Only one may be active in a process, because signs of life use the process' alarm signal. */
+/** State of the reports. Only one may be active in a process, because signs of life use the
+ *  process's alarm signal. */
 typedef struct progress {
     progress_style style;
     long first, steps; /* the run begins after step `first` and ends with `steps` */
-    double pace;       /* s per step, averaged over the latest steps */
+    double pace;       /* s per step, moving average */
     double last;       /* s, time at which the last step ended */
 } progress;
 
@@ -29,7 +30,8 @@ typedef struct progress {
  *  bar counts its seconds, lines say every minute which step is under way. */
 void progress_begin(progress *p, progress_style style, long first, long steps);
 
-/** Reports that a step is done. time: simulated, seconds: wall, since progress_begin, both s. */
+/** Reports that a step is done. `time` is simulated time, `seconds` wall time since progress_begin,
+ *  both in s. */
 void progress_report(progress *p, long step, double time, long iterations, double seconds);
 
 /** Ends the signs of life and a bar's line. */

@@ -40,24 +40,25 @@ typedef struct sealed_kind {
     char magic[9];    /* 8 characters */
     uint32_t version; /* the version that this program writes and reads */
     const char *name; /* the kind of file in messages: "a state" */
-    int durable;      /* flushed to the disk before it is renamed, so that it survives a crash */
-    int (*check)(const sealed_header *); /* 0 if the rest of the header is valid, or -1 */
+    int durable;      /* true: flushed to the disk before it is renamed, so that it survives a
+                       * crash */
+    int (*check)(const sealed_header *); /* returns 0 if the rest of the header is valid, else -1 */
 } sealed_kind;
 
 /** Writes a temporary file and renames it, so that a file of that name is always complete. The
- *  header needs parts, counts, time, step and payload_size; the rest is filled in. 0, or -1
- *  after a message. */
+ *  caller sets the header's parts, counts, time, step and payload_size; the rest is filled in.
+ *  Returns 0, or -1 after a message. */
 int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void *payload,
                       const char *path);
 
-/** Reads and checks the file. Returns its payload, [header->payload_size], to be freed; NULL after
- * a message about the defect. */
+/** Reads and checks the file. Returns its payload, [header->payload_size], which the caller frees,
+ *  or NULL after a message about the defect. */
 void *sealed_file_read(const sealed_kind *kind, sealed_header *header, const char *path);
 
-/** "path: what" on standard error. Returns -1. */
+/** Prints "path: what" on standard error. Returns -1. */
 int sealed_file_complain(const char *path, const char *what);
 
-/** The 64-bit FNV-1a hash (Fowler, Noll, Vo) of the bytes, continued from `hash`, which is
+/** Returns the 64-bit FNV-1a hash (Fowler, Noll, Vo) of the bytes, continued from `hash`, which is
  *  FNV_1A_BEGIN at first. */
 uint64_t fnv_1a(uint64_t hash, const void *bytes, size_t size);
 #define FNV_1A_BEGIN UINT64_C(0xcbf29ce484222325)

@@ -9,7 +9,7 @@
 enum { KNOWN_PARTS = STATE_VELOCITIES | STATE_TRIANGLES | STATE_ORIGINAL | STATE_SINGLE };
 enum {
     SINGLE_WITH_VELOCITIES = STATE_SINGLE | STATE_VELOCITIES
-}; /* velocities would be unaligned */
+}; /* not allowed: velocities would be unaligned */
 
 /** Sizes of the payload's parts, in their order. */
 typedef struct layout {
@@ -86,8 +86,8 @@ static int check_numbers(const int *numbers, size_t count, int below) {
     return 0;
 }
 
-/** Points the state's arrays into the payload, in s->memory; single-precision positions are
- *  converted to doubles, which follow the payload. */
+/** Sets the state's arrays to point into the payload in s->memory. Single-precision positions are
+ *  converted to doubles, which follow the payload. Returns 0, or -1 after a message. */
 static int unpack(state *s, layout l, const char *path) {
     const size_t count = 3 * (size_t)s->vertex_count;
     const size_t behind = (layout_size(l) + sizeof(double)) / sizeof(double) * sizeof(double);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A file with a cloth's state: final.state with all bits, frames with the data for pictures.
+ * A file with a cloth's state: final.state has all bits; frames have the data for pictures.
  *
  * It is a sealed file (sealed_file.h) of kind "FABRICST", version 1; its parts are the bits of
  * state_part.
  *
- * Payload, in this order, each part if its bit is set (positions always): positions
- * [vertices][3] (m; float with STATE_SINGLE, else double), velocities [vertices][3] (double, m/s),
- * triangles [triangles][3] (int32, vertices), original numbers [vertices] (int32: each vertex'
- * number in the mesh as generated, to compare states of one cloth in two orders).
+ * The payload has these arrays in this order, each one only if its bit is set (positions always):
+ * positions [vertices][3] (m; float with STATE_SINGLE, else double), velocities [vertices][3]
+ * (double, m/s), triangles [triangles][3] (int32, vertices), original numbers [vertices] (int32:
+ * each vertex's number in the mesh as generated, to compare states of one cloth in two orders).
  */
 #ifndef FABRIC_OUTPUT_STATE_H
 #define FABRIC_OUTPUT_STATE_H
@@ -33,12 +33,12 @@ typedef struct state {
     void *memory;           /* allocated by state_read, freed by state_free */
 } state;
 
-/** Writes a temporary file and renames it, so that a file of that name is always complete. 0, or
- *  -1 after a message on standard error. */
+/** Writes a temporary file and renames it, so that a file of that name is always complete. Returns
+ *  0, or -1 after a message on standard error. */
 int state_write(const state *s, const char *path);
 
-/** Reads and checks the file; state_free frees it. 0, or -1 after a message on standard error
- *  about the defect: not a state, incomplete, damaged, another version. */
+/** Reads and checks the file; state_free frees it. Returns 0, or -1 after a message on standard
+ *  error if the file is no state, incomplete, damaged or of another version. */
 int state_read(state *s, const char *path);
 
 void state_free(state *s);

@@ -28,7 +28,7 @@ static json_t *phases_of(const simulation *sim) {
     return phases;
 }
 
-/** Active effects with their accounts, or the names of the others. */
+/** Lists the active effects with their counts and times, or the names of the inactive ones. */
 static json_t *effects_of(const simulation *sim, int active) {
     int count;
     json_t *list = json_array();
@@ -45,7 +45,7 @@ static json_t *effects_of(const simulation *sim, int active) {
     return list;
 }
 
-/** The rejected steps, each with the reason. */
+/** Lists the rejected steps, each with the reason. */
 static json_t *rejections_of(const simulation *sim) {
     int count;
     json_t *list = json_array();
@@ -69,7 +69,7 @@ static json_t *faults_of(const simulation *sim) {
                   f.greatest_strain, "deepest", f.deepest, "starts_inside", "vertices",
                   (json_int_t)f.start_inside, "deepest", f.start_depth, "solved_directly",
                   (json_int_t)f.solved_directly);
-    if (!f.watched) { /* unknown, because the monitor is off */
+    if (!f.watched) { /* these are unknown if the monitor is off */
         json_object_del(faults, "greatest_strain");
         json_object_del(faults, "deepest");
         json_object_del(faults, "starts_inside");

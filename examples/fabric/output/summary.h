@@ -10,14 +10,14 @@ typedef struct run_account {
     const scene *of;
     const mesh *cloth;
     const simulation *sim;
-    int threads;          /* 1 without OpenMP */
-    double mesh_seconds;  /* wall, to generate and order the mesh */
-    double setup_seconds; /* wall, from mesh to simulation */
-    double step_seconds;  /* wall, all steps, including those before a checkpoint */
+    int threads;          /* number of threads, 1 without OpenMP */
+    double mesh_seconds;  /* wall time to generate and order the mesh */
+    double setup_seconds; /* wall time to make the simulation from the mesh */
+    double step_seconds;  /* wall time of all steps, including those before a checkpoint */
     int interrupted;      /* the run ended before its last step */
 } run_account;
 
-/** Writes the JSON object to a temporary file and renames it. 0, or -1 after a message. */
+/** Writes the JSON object to a temporary file and renames it. Returns 0, or -1 after a message. */
 int summary_write(const run_account *run, const char *path);
 
 /** Prints a few lines to standard output. */

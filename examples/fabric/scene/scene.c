@@ -10,8 +10,8 @@
 #include "input/mesh_file.h"
 #include "scene_value.h"
 
-/** The node at `path` (names and item numbers separated by dots), or its nearest existing ancestor.
- */
+/** Returns the node at `path` (names and item numbers separated by dots), or its nearest existing
+ *  ancestor. */
 static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     const yaml_node_t *node = yaml_document_get_root_node(from->document);
     while (*path) {
@@ -30,7 +30,7 @@ static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     return node;
 }
 
-/** The node at `path` whose line a message names; NULL if the document has no lines. */
+/** Returns the node at `path`, whose line a message names, or NULL if the document has no lines. */
 static const yaml_node_t *line_of(const scene_source *from, const char *path) {
     return from->has_lines ? node_at(from, path) : NULL;
 }
@@ -103,7 +103,7 @@ static int check_motions(const scene_source *from, const scene *s) {
     return 0;
 }
 
-/** The checks that concern several keys, for a document whose keys are all valid. */
+/** Checks that concern several keys, for a document whose keys are all valid. */
 static int check_whole(const scene_source *from, scene *s) {
     if (s->mesh.from == SHEET_GENERATED && s->mesh.boundary >= s->mesh.vertices)
         return scene_complain(from, line_of(from, "mesh.boundary"),
@@ -118,7 +118,7 @@ static int check_whole(const scene_source *from, scene *s) {
     return read_surfaces(from, s);
 }
 
-/** Frees meshes from files, so that they are read again. */
+/** Frees the meshes from files, so that they will be read again. */
 static void free_meshes(scene *s) {
     for (int n = 0; n < s->collider_count; n++) {
         surface_free(s->colliders[n].surface);
@@ -139,7 +139,7 @@ static int complain_syntax(const scene_source *from, const yaml_parser_t *parser
     return -1;
 }
 
-/** A file holds one document, not two. */
+/** Complains if the file has a second document. */
 static int check_end(const scene_source *from, yaml_parser_t *parser) {
     yaml_document_t rest;
     if (!yaml_parser_load(parser, &rest))
@@ -174,7 +174,7 @@ static int read_document(scene *s, scene_source *from, FILE *file) {
     return status;
 }
 
-/** Reads a scene. `file` NULL: it cannot be opened; `wrong` is the reason. */
+/** Reads a scene. If `file` is NULL, it could not be opened for the reason `wrong`. */
 static int read_from(scene *s, const char *name, FILE *file, const char *wrong) {
     scene_source from = {name, 1, NULL};
     *s = scene_defaults;
@@ -210,7 +210,7 @@ void scene_free(scene *s) {
     *s = (scene){0};
 }
 
-/** The address of item `number` of a list; NULL after a message. */
+/** Returns the address of item `number` of a list, or NULL after a message. */
 static void *find_item(const scene_source *from, const scene_key *key, char *target,
                        const char *number) {
     char *end;
@@ -227,8 +227,8 @@ static void *find_item(const scene_source *from, const scene_key *key, char *tar
     return NULL;
 }
 
-/** Finds the key at `path`, which it splits at the dots; *target: the struct that contains the
- * key's value. NULL after a message. */
+/** Finds the key at `path`, which it splits at the dots. *target receives the struct that contains
+ *  the key's value. Returns NULL after a message. */
 static const scene_key *find_target(const scene_source *from, scene *s, char *path, void **target) {
     const scene_key *keys = scene_keys;
     char *word = path, parent[PATH_SIZE] = "";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A scene, read from a file (YAML, docs in scenes/README.md). SI units. */
+/** A scene, read from a YAML file; scenes/README.md documents the format. SI units. */
 #ifndef FABRIC_SCENE_H
 #define FABRIC_SCENE_H
 
@@ -21,7 +21,7 @@ enum { SCENE_FILE_SIZE = 1024 };
 typedef struct keyframe {
     double time;    /* s, ascending */
     double move[3]; /* m, displacement from the collider's position */
-    double angle;   /* degrees, rotation about its turn_axis */
+    double angle;   /* degrees, rotation about the collider's turn_axis */
 } keyframe;
 
 typedef struct collider {
@@ -31,12 +31,12 @@ typedef struct collider {
     double axis[3];     /* unit: plane's normal, cylinder's axis */
     double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
     double friction;    /* Coulomb coefficient */
-    double gap;         /* m, cloth rests at this distance */
+    double gap;         /* m, distance at which cloth rests on the collider */
     char file[SCENE_FILE_SIZE]; /* mesh: full path of a file for input/mesh_file.h */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
-    double from, until;         /* s, interval in which it exists; until 0: no end */
-    double turn_axis[3];        /* unit, the axis of its keyframes' rotations */
-    int keyframe_count;         /* 0: it moves with its constant velocity */
+    double from, until;         /* s, interval in which the collider exists; until 0: no end */
+    double turn_axis[3];        /* unit, axis of the keyframes' rotations */
+    int keyframe_count;         /* 0: the collider moves with its constant velocity */
     keyframe *keyframes;        /* [keyframe_count]; owned by the scene */
 } collider;
 
@@ -52,18 +52,20 @@ typedef struct pin {
     int vertex_count;             /* length of `vertices` */
     int *vertices;                /* [vertex_count] numbers before reordering, from 1; owned by the
                                    * scene */
-    double velocity[3];           /* m/s; 0: held where they are */
-    double move_from, move_until; /* s, interval in which it moves; move_until 0: no end */
-    double until;                 /* s, time at which it releases the cloth; 0: never */
+    double velocity[3];           /* m/s; 0: the pinned vertices are held in place */
+    double move_from, move_until; /* s, interval in which the pin moves; move_until 0: no end */
+    double until;                 /* s, time at which the pin releases the cloth; 0: never */
 } pin;
 
 /** Limits of a step; a step that exceeds one is repeated with half the length (see monitor.h). */
 typedef struct monitor_limits {
-    double energy;      /* gain in a step, as a fraction of the initial and the added energy */
-    double growth;      /* limit for the growth of a triangle's strain in a step, */
-    double strain;      /* for triangles whose strain ends above this */
-    double penetration; /* m, of a vertex into a collider */
-    int off;            /* no limits; rejects steps only if not finite, not solved or passing */
+    double energy;      /* limit for the gain in a step, as a fraction of the initial and the added
+                         * energy */
+    double growth;      /* limit for the growth of a triangle's strain in a step */
+    double strain;      /* the growth is limited only if the strain ends above this */
+    double penetration; /* m, limit for the depth of a vertex in a collider */
+    int off;            /* true: no limits; a step is rejected only if it is not finite, not solved
+                         * or passing */
 } monitor_limits;
 
 /** The source of the cloth's mesh. */
@@ -83,12 +85,13 @@ typedef struct scene_cloth {
     int rest;                   /* sheet_rest */
     int rest_angles;            /* sheet_angles */
     struct mesh *sheet;         /* SHEET_FILE: the mesh as read; freed by scene_free */
-    int vertices, boundary;     /* SHEET_FILE: the file's number of vertices, and 0 */
-    double side;                /* m; SHEET_FILE: the square root of the area */
+    int vertices, boundary;     /* number of vertices, and of those on the border; SHEET_FILE: the
+                                 * file's number, and 0 */
+    double side;                /* m, side of the square; SHEET_FILE: the square root of the area */
     unsigned seed;
     mesh_order order;
     double origin[3]; /* m, the sheet's centre */
-    double normal[3]; /* unit, the sheet's plane */
+    double normal[3]; /* unit, normal of the sheet's plane */
 } scene_cloth;
 
 /** A section `material`. */
@@ -104,19 +107,20 @@ typedef struct scene_surroundings {
 #include "effects/effects.def"
     double gravity[3];            /* m/s^2 */
     double wind[3];               /* m/s */
-    double wind_from, wind_until; /* s, interval in which it blows; wind_until 0: no end */
+    double wind_from, wind_until; /* s, interval in which the wind blows; wind_until 0: no end */
 } scene_surroundings;
 
 /** A section `self_collision`. */
 typedef struct scene_self_collision {
-    double gap;      /* m, cloth keeps this distance from itself; 0: goes through itself */
+    double gap;      /* m, distance that cloth keeps from itself; 0: cloth may pass through
+                      * itself */
     double friction; /* Coulomb coefficient */
 } scene_self_collision;
 
 /** Method of contact, in the order of the values of contact.method. */
 typedef enum contact_method {
     CONTACT_CONSTRAINTS, /* vertices are constrained (collision.h), and impulses given (impact.h) */
-    CONTACT_BARRIER      /* by an energy: barrier.h */
+    CONTACT_BARRIER      /* contact by an energy: barrier.h */
 } contact_method;
 
 /** A section `contact`. */
@@ -134,13 +138,13 @@ typedef struct scene_time {
 
 /** A section `solution`. */
 typedef struct scene_solution {
-    double tolerance; /* of the conjugate gradient, relative */
+    double tolerance; /* relative tolerance of conjugate gradients */
     int max_iterations;
     int method;              /* solver_method of solver.h */
     int preconditioner;      /* preconditioner_kind of solver.h */
     int precision;           /* solver_precision of solver.h */
-    double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
-    int newton_iterations;   /* at most, in a step */
+    double newton_tolerance; /* tolerance of Newton's method, relative to the right-hand side */
+    int newton_iterations;   /* limit of Newton's iterations in a step */
     double sleep;            /* m/s, a cloth slower than this for some steps sleeps; 0: never */
 } scene_solution;
 
@@ -170,14 +174,14 @@ typedef struct scene {
 /** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints
  *  "file:line: ..., expected ..." with the nearest valid name to standard error. */
 int scene_read(scene *s, const char *path);
-/** Applies an assignment like material.bend=0.01 (--set): the file's keys, joined by dots. 0, or -1
- *  after a message. */
+/** Applies an assignment such as material.bend=0.01 (--set). Its left side has the file's keys,
+ *  joined by dots. Returns 0, or -1 after a message. */
 int scene_set(scene *s, const char *assignment);
 void scene_free(scene *s);
 
-/** The scene's cloth: generated or from its file, placed by origin and normal, connected, numbered
- *  in its order. new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 after a
- *  message on standard error. */
+/** Makes the scene's cloth: generated or from its file, placed by origin and normal, connected,
+ *  numbered in its order. new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. Returns 0,
+ *  or -1 after a message on standard error. */
 int scene_mesh(const scene *s, mesh *m, int *new_of_old);
 
 /** Does wind ever act on the cloth? */
@@ -187,17 +191,18 @@ static inline int scene_has_wind(const scene *s) {
             s->surroundings.wind[2] != 0);
 }
 
-/** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
+/** Writes the scene so that scene_read gives the same bits. Returns 0, or -1 with errno set. */
 int scene_write(const scene *s, const char *path);
 
-/** The text that scene_write writes, [*size], to be freed; NULL: out of memory. */
+/** Returns the text, of *size bytes, that scene_write writes, or NULL if out of memory. The caller
+ *  frees it. */
 char *scene_text(const scene *s, size_t *size);
-/** As scene_read, from a text in memory, which is not changed; messages begin with `name` instead
- * of the file's name. */
+/** Like scene_read, but from a text in memory, which is not changed. Messages begin with `name`
+ *  instead of the file's name. */
 int scene_read_text(scene *s, char *text, size_t size, const char *name);
 
-/** Whether two scenes differ in anything but the count of steps and the names of files;
- *  then the first difference is in text[256]: "'material.bend' is 0.01, there 0". */
+/** Do two scenes differ in anything but the number of steps and the names of files? If so, the
+ *  first difference is in text[256]: "'material.bend' is 0.01, there 0". */
 int scene_differ(const scene *a, const scene *b, char *text);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The first key in which two scenes differ, other than files and time.steps. */
+/* Finds the first key in which two scenes differ, other than files and time.steps. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +16,8 @@ typedef struct comparison {
 
 static int compare_keys(comparison *of, const scene_key *keys, const char *path);
 
-/** A value in the format of scene files; to be freed. NULL: out of memory. */
+/** Returns a value in the format of scene files, which the caller frees, or NULL if out of
+ *  memory. */
 static char *value_text(const scene_key *key, const char *source) {
     char *text = NULL;
     size_t size;
@@ -68,7 +69,8 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
     return 0;
 }
 
-/** Stops at the first difference: after a different kind the keys differ as well. */
+/** Compares the keys and stops at the first difference. If the kinds differ, the keys do as
+ *  well. */
 static int compare_keys(comparison *of, const scene_key *keys, const char *path) {
     const int kind = scene_kind(keys, of->a);
     if (keys->name[0] == '\0' && kind != scene_kind(keys, of->b)) {

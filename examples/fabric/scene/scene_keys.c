@@ -18,7 +18,8 @@ static const value_range positive = {0.0, 1e300, 1};
 static const value_range not_negative = {0.0, 1e300, 0};
 #define BETWEEN(low, high) (&(const value_range){low, high, 0})
 
-/* A key with the name of its field; `of`: bits of the kinds that have it, 0: all. */
+/* A key with the name of its field. `of` has the bits of the kinds that have the key, or is 0 if
+ * all have it. */
 #define KEY(struct_, field, kind, required, components, range, of)                                 \
     { #field, kind, offsetof(struct_, field), required, components, range, of, NULL, NULL, NULL }
 #define WHOLE(struct_, field, required, range)                                                     \
@@ -51,7 +52,8 @@ const char *const scene_preconditioners[] = {"gauss-seidel", "block-jacobi",    
                                              "jacobi",       "incomplete-cholesky", NULL};
 const char *const scene_precisions[] = {"double", "float", "mixed", NULL};
 
-/* A pseudo-key that comes first: the field for the kind, which follows from the keys present. */
+/* A pseudo-key, the first of its section: the field for the kind, which follows from the keys
+ * present in the file. */
 #define KIND_BY_KEYS(struct_, field)                                                               \
     { "", VALUE_WHOLE, offsetof(struct_, field), 0, 1, &any, 0, NULL, NULL, NULL }
 

@@ -17,9 +17,10 @@ typedef enum value_kind {
     VALUE_VECTOR,    /* double[components] */
     VALUE_DIRECTION, /* double[3], made a unit vector when read */
     VALUE_CHOICE,    /* enum, or int: the word's index in `choices` */
-    VALUE_SECTION, /* nested keys; a single word is a value of the first key, if that is a choice */
-    VALUE_NUMBERS, /* int[], allocated; `list` has the offset of their count, and frees them */
-    VALUE_LIST     /* items with keys of their own, in an allocated array */
+    VALUE_SECTION,   /* nested keys; a single word is the first key's value, if that key is a
+                      * choice */
+    VALUE_NUMBERS,   /* int[], allocated; `list` has the offset of their count */
+    VALUE_LIST       /* items with keys of their own, in an allocated array */
 } value_kind;
 
 enum { TEXT_SIZE = 64, FILE_SIZE = 1024, MOST_KEYS = 32 };
@@ -28,32 +29,33 @@ typedef struct scene_key scene_key;
 
 typedef struct value_range {
     double low, high; /* least and greatest value */
-    int above;        /* low itself is out of range */
+    int above;        /* true: `low` itself is out of range */
 } value_range;
 
-/** A list's items and their location in the struct. */
+/** How a struct stores a list: its count, and its items. */
 typedef struct scene_list {
-    size_t count_offset; /* of the int that counts the items */
+    size_t count_offset; /* offset of the int that counts the items */
     size_t item_size;
     const void *defaults;        /* an item before its keys are read */
     void (*release)(void *item); /* frees allocated members of an item; NULL: none */
 } scene_list;
 
 struct scene_key {
-    const char *name; /* "": not in files; the int at offset holds the kind for of_kinds */
+    const char *name; /* "" if the key is not in files: then the int at offset holds the kind for
+                       * of_kinds */
     value_kind kind;
-    size_t offset; /* in the struct of the section, or of the list's item */
+    size_t offset; /* offset in the struct of the section or of the list's item */
     int required;
-    int components; /* of a vector */
+    int components; /* number of components of a vector */
     const value_range *range;
     unsigned of_kinds; /* bits of the kinds of item or section that have this key; 0: all */
     const char *const *choices; /* NULL after the last */
-    const scene_key *keys;      /* of a section or of a list's items; no name after the last */
+    const scene_key *keys;      /* keys of a section or of a list's items; no name after the last */
     const scene_list *list;
 };
 
-/** The kind of the section or item in `struct_`, for `of_kinds`; -1: it has no kinds. The first key
- *  holds it: `kind`, or one that is not in files. */
+/** Returns the kind of the section or item in `struct_`, for `of_kinds`, or -1 if it has no kinds.
+ *  The first key holds the kind: it is named `kind`, or is not in files. */
 int scene_kind(const scene_key *keys, const void *struct_);
 
 /** Does a section or item of this kind have the key in files? */
@@ -62,9 +64,9 @@ static inline int scene_has_key(const scene_key *key, int kind) {
            (key->of_kinds == 0 || (kind >= 0 && (key->of_kinds >> kind & 1u) != 0));
 }
 
-/** The items of the list `key` in the struct at `source`; *count: their number. */
+/** Returns the items of the list `key` in the struct at `source`; *count receives their number. */
 char *scene_items(const scene_key *key, const char *source, int *count);
-/** Frees some items of such a list. */
+/** Frees an array of `count` items of a list. */
 void scene_free_items(const scene_list *list, char *items, long count);
 /** Replaces a list's items, and frees the old ones. */
 void scene_set_items(const scene_key *key, char *target, void *items, int count);
@@ -75,11 +77,11 @@ extern const scene_key scene_keys[];
 /** Defaults of a scene. */
 extern const scene scene_defaults;
 
-/** The checked mesh of the file, with defects printed on standard error; to be freed by
- *  mesh_free and free. NULL after a message there or in error[256]. */
+/** Reads and checks the mesh of a file, and prints its defects on standard error. The caller frees
+ *  it by mesh_free and free. Returns NULL after a message on standard error or in error[256]. */
 mesh *scene_sheet_read(const char *path, int rest, char *error);
 
-/** Writes one value, no section or list, of the struct at `source`. */
+/** Writes one value, which is not a section or list, of the struct at `source`. */
 void scene_write_value(FILE *file, const scene_key *key, const char *source);
 
 #endif

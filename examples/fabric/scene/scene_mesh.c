@@ -66,7 +66,8 @@ mesh *scene_sheet_read(const char *path, int rest, char *error) {
         free(m);
         return NULL;
     }
-    m->rest_in_space = rest == REST_POSITIONS; /* the checks need it; vt is kept */
+    m->rest_in_space = rest == REST_POSITIONS; /* the checks need it; texture coordinates stay as
+                                                * they are */
     if (mesh_file_prepare(m, path, found, error) == 0)
         return m;
     mesh_free(m);
@@ -74,8 +75,8 @@ mesh *scene_sheet_read(const char *path, int rest, char *error) {
     return NULL;
 }
 
-/** Copies the scene's sheet in metres, with the rest shape that the scene requests, at the file's
- *  positions. 0, or -1: out of memory. */
+/** Copies the scene's sheet, converted to metres, at the file's positions and with the rest shape
+ *  that the scene requests. Returns 0, or -1 if out of memory. */
 static int copy_sheet(const scene *s, mesh *m) {
     const mesh *from = s->mesh.sheet;
     if (mesh_allocate(m, from->vertex_count, from->triangle_count) != 0)
@@ -108,7 +109,8 @@ static int make_sheet(const scene *s, mesh *m, char *error) {
     return -1;
 }
 
-/** The vertex numbers before reordering, which pins refer to. */
+/** Stores the vertex numbers before reordering if pins refer to them. Returns 0, or -1 if out of
+ *  memory. */
 static int keep_numbers(const scene *s, mesh *m) {
     int wanted = 0;
     for (int k = 0; k < s->pin_count; k++)

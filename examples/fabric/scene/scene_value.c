@@ -31,14 +31,14 @@ static void append(char text[MESSAGE_SIZE], const char *format, const char *word
     snprintf(text + used, MESSAGE_SIZE - used, format, word);
 }
 
-/** "one of 'a', 'b'" */
+/** Appends "one of 'a', 'b'". */
 static void list_words(char text[MESSAGE_SIZE], const char *const *words, int count) {
     append(text, "%s", "one of ");
     for (int k = 0; k < count; k++)
         append(text, k == 0 ? "'%s'" : ", '%s'", words[k]);
 }
 
-/** "one of 'a', 'b'; did you mean 'a'?" */
+/** Appends "one of 'a', 'b'; did you mean 'a'?". */
 static void list_words_and_guess(char text[MESSAGE_SIZE], const char *found,
                                  const char *const *words, int count) {
     const char *nearest = words_nearest(found, words, count);
@@ -72,7 +72,7 @@ static int is_whole(const scene_key *key) {
     return key->kind == VALUE_WHOLE || key->kind == VALUE_SEED || key->kind == VALUE_NUMBERS;
 }
 
-/** The range in words: "a number greater than 0". */
+/** Describes the range in words: "a number greater than 0". */
 static void describe_range(char *text, size_t size, const scene_key *key) {
     const char *noun = is_whole(key) ? "a whole number" : "a number";
     const value_range *in = key->range;
@@ -85,7 +85,7 @@ static void describe_range(char *text, size_t size, const scene_key *key) {
                  noun, in->low, in->high);
 }
 
-/** Describes the valid values. */
+/** Describes the key's valid values in words. */
 static void describe(char text[MESSAGE_SIZE], const scene_key *key) {
     static const char *const fixed[VALUE_LIST + 1] = {[VALUE_TEXT] = "a text of 1 to 63 bytes",
                                                       [VALUE_FILE] = "the name of a file",
@@ -285,7 +285,7 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
     return -1;
 }
 
-/** " in 'section'" for messages; empty for the outermost section. */
+/** Writes " in 'section'" for messages, or nothing for the outermost section. */
 static const char *within(char text[PATH_SIZE + 8], const char *path) {
     snprintf(text, PATH_SIZE + 8, path[0] != '\0' ? " in '%s'" : "%s", path);
     return text;
@@ -334,8 +334,8 @@ const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *m
     return NULL;
 }
 
-/** The kind that follows from the keys present: the first kind that has the first key that not all
- *  kinds have; 0 without such a key. */
+/** Returns the kind that follows from the keys present, or 0 if none follows. The first key that
+ *  not all kinds have decides: the first kind that has it is returned. */
 static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const scene_key *keys) {
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
          pair < node->data.mapping.pairs.top; pair++) {
@@ -349,7 +349,8 @@ static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const
     return 0;
 }
 
-/** The item's kind, on which its other keys depend; -1 if keys have no kind; -2 after a message. */
+/** Returns the item's kind, on which its other keys depend, -1 if keys have no kind, or -2 after a
+ *  message. */
 static int read_kind(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                      const char *path) {
     if (keys->name[0] == '\0')
@@ -368,7 +369,7 @@ static int read_kind(const scene_source *from, const yaml_node_t *node, const sc
 
 int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                        void *target, const char *path) {
-    unsigned seen = 0; /* one bit a key: MOST_KEYS of them */
+    unsigned seen = 0; /* one bit for each key; a section has at most MOST_KEYS */
     if (node->type != YAML_MAPPING_NODE)
         return wrong_type(from, node, path[0] != '\0' ? path : "the scene", "a section of keys");
     const int kind = read_kind(from, node, keys, path);

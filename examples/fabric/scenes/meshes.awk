@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The meshes of scenes, as OBJ files: awk -f meshes.awk NAME. The build runs it.
+# Prints a mesh of the scenes as an OBJ file: awk -f meshes.awk NAME. The build runs this script.
 function vertex(x, y, z) { printf format, x, y, z }
 
-# `columns` by `rows` cells of 24 mm, level, y along it; diagonals alternate.
+# Prints a level scarf of `columns` by `rows` square cells of 24 mm, its length along y. Diagonals alternate.
 function scarf(columns, rows,    i, j, v) {
   print "# A scarf, 0.24 m by 1.536 m, flat: y along it."
   format = "v %.12g %.12g %g\n"
@@ -19,7 +19,7 @@ function scarf(columns, rows,    i, j, v) {
     }
 }
 
-# A torus: `around` sections of `sides` vertices.
+# Prints a torus of `around` sections with `sides` vertices each.
 function ring(around, sides, radius, thickness,    i, j, turn, angle, next_i, next_j) {
   print "# A ring (torus) of 0.3 m and 0.06 m, counter-clockwise from outside."
   format = "v %.5f %.5f %.5f\n"

@@ -86,7 +86,7 @@ static int chunk_end(const solver *s, int chunk) {
     return end < s->count ? end : s->count;
 }
 
-/* residual = S (b - product), preconditioned = P residual; returns r'Pr. Clears product. */
+/* Sets residual r = S (b - product) and preconditioned = P r, and clears product. Returns r'Pr. */
 static double start_residual(solver *s, const constraints *c, const double (*b)[3]) {
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < s->chunks; chunk++) {
@@ -147,7 +147,8 @@ static double direction_sum(const solver *s, int chunk) {
     return sum;
 }
 
-/* dv += alpha p, r -= alpha S A p, Pr; returns r'Pr of one chunk. */
+/* Updates one chunk: dv += alpha p and r -= alpha S A p; recomputes P r. Returns the chunk's part
+ * of r'Pr. */
 static double advance(solver *s, const constraints *c, int chunk, double alpha, double (*dv)[3]) {
     double sum = 0;
     for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
@@ -160,7 +161,7 @@ static double advance(solver *s, const constraints *c, int chunk, double alpha, 
     return sum;
 }
 
-/* p = Pr + beta p, and product = 0 for the next iteration. */
+/* Sets p = P r + beta p in one chunk, and product = 0 for the next iteration. */
 static void update_direction(solver *s, int chunk, double beta) {
     for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
         vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
@@ -169,8 +170,8 @@ static void update_direction(solver *s, int chunk, double beta) {
     }
 }
 
-/* All of an iteration except the product A p. *rz = r'Pr, before and after; returns p'Ap. If p'Ap
- * is not positive, only the direction changes. */
+/* Does all of an iteration except the product A p. *rz is r'Pr, before and after. Returns p'Ap; if
+ * that is not positive, dv and r do not change. */
 static double iterate(solver *s, const constraints *c, double (*dv)[3], double *rz) {
     const double before = *rz;
 #pragma omp parallel
@@ -201,7 +202,8 @@ static void set_given_changes(const constraints *c, double (*z)[3]) {
             z[i][a] = constraint_change(c, i)[a];
 }
 
-/* The square of |b - A z| in the preconditioner's norm, to which the tolerance is relative. */
+/* Returns the square of |S (b - A z)| in the preconditioner's norm, to which the tolerance is
+ * relative. */
 static double reference_square(solver *s, const linear_system *system, const constraints *c,
                                int driven) {
     if (driven) {
@@ -231,8 +233,8 @@ static solver_status iterate_to(double goal, solver *s, const linear_system *sys
     }
 }
 
-/* The iteration keeps only S r: along given directions r may be larger by orders of magnitude, and
- * its rounding errors would dominate. So b - A dv is computed anew here. */
+/* The iteration updates only S r: along given directions r may be larger by orders of magnitude,
+ * and its rounding errors would dominate. So b - A dv is computed again here. */
 void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]) {
     clear(s->product, s->count);
     half_product(&system->A, dv, s->product);
@@ -250,7 +252,7 @@ void solver_residual(solver *s, const linear_system *system, const constraints *
 void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
                                int which) {
     if (which == DRIVEN) {
-        set_given_changes(c, s->residual); /* solver_residual reads it before it overwrites it */
+        set_given_changes(c, s->residual); /* z; solver_residual may overwrite it */
         solver_residual(s, system, c, (const double(*)[3])s->residual);
         return;
     }

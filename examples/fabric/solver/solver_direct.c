@@ -26,8 +26,8 @@ int direct_solver_available(void) {
     return 1;
 }
 
-/* Row i's blocks become columns 3i to 3i+2, since A is symmetric; of diagonal blocks only the lower
- * half is stored. */
+/* Row i's blocks become columns 3i to 3i + 2, since A is symmetric. Only the lower half of a
+ * diagonal block is stored. */
 static void lay_out(const block_matrix *A, cholmod_sparse *to) {
     int *start = to->p, *row = to->i;
     int next = 0;
@@ -90,7 +90,8 @@ void direct_solver_memory(const direct_solver *d, double *held, double *more) {
     *more = factor + copies;
 }
 
-/* Entry (r, c) of S_i A_ij S_j + s (I - S_i); the second term on the diagonal only. */
+/* Returns entry (r, c) of S_i A_ij S_j + s (I - S_i) with A_ij = block k. The second term occurs
+ * only on the diagonal. */
 static double entry(const block_matrix *A, const constraints *given, int i, int k, int r, int c) {
     const int j = A->column[k];
     const double(*a)[3] = (const double(*)[3])A->value[k];

@@ -10,21 +10,21 @@ typedef struct direct_solver direct_solver;
 /** Was the program built with CHOLMOD? */
 int direct_solver_available(void);
 
-/** Symbolic analysis for matrices with A's sparsity pattern: fill-reducing order and the factor's
- *  pattern. NULL with a message in error[256]. */
+/** Analyses A's sparsity pattern: finds a fill-reducing order and the factor's pattern. Returns
+ *  NULL with a message in error[256] on failure. */
 direct_solver *direct_solver_new(const block_matrix *A, char *error);
 void direct_solver_free(direct_solver *d);
 
-/** The number of multiplications of one solution: the factorisation and two triangular systems.
- *  Depends on the sparsity pattern only. */
+/** Returns the number of multiplications of one solution: the factorisation and two triangular
+ *  systems. It depends on the sparsity pattern only. */
 double direct_solver_work(const direct_solver *d);
 
-/** Memory, computed from the sparsity pattern, bytes. *held: allocated for d; *more: allocated by
- * its first solution (factor and workspace). */
+/** Computes memory in bytes from the sparsity pattern. *held: allocated for d so far; *more:
+ *  allocated by its first solution (factor and workspace). */
 void direct_solver_memory(const direct_solver *d, double *held, double *more);
 
-/** Implements solver_solve, up to rounding errors; counts a factorisation as one iteration.
- *  SOLVER_BREAKDOWN: A is not positive definite. */
+/** Gives the solution of solver_solve up to rounding errors, without limits. Counts a factorisation
+ *  as one iteration. Returns SOLVER_BREAKDOWN if A is not positive definite. */
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,
                                   const constraints *c, double (*dv)[3], long *iterations);
 

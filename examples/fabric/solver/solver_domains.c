@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Let C C' be the relaxed diagonal blocks of the prefiltered matrix. The scaled matrix is
+ * Let C C' be the diagonal blocks of the prefiltered matrix (solver_precondition.h), divided by the
+ * relaxation factor. The scaled matrix, with its diagonal blocks D^, is
  *     A^ = C^-1 A C^-T = D^ + U + U' + E + E'
- * Vertices are reordered: all even domains come before all odd ones. U contains the blocks above
- * the diagonal in that order, except those between two even or two odd domains, E. There are few of
- * these: if neighbours have near numbers, a domain touches only the ones before and after it. So
- * all even domains, and then all odd ones, are swept in parallel. The preconditioner is
- * (I + U)' (I + U), and the iteration runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the
- * image of p is (Eisenstat 1981)
+ * Vertices are divided into domains of consecutive numbers, and reordered: all even domains come
+ * before all odd ones. E has the blocks between two different even or two different odd domains,
+ * and U all other blocks above the diagonal in that order. E has few blocks: if neighbours have
+ * near numbers, a domain touches only the ones before and after it. So all even domains, and then
+ * all odd ones, are swept in parallel. The preconditioner is (I + U)' (I + U), and the iteration
+ * runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the image of a direction p is (Eisenstat
+ * 1981)
  *     t + (I + U)^-T w        w = p + (D^ - 2 I + E + E') t
  * so that each stored block of A is used twice per iteration, as in half_product.
  */
@@ -23,7 +25,8 @@ static void sweep_even_down(domain_solver *d, double (*r)[3]) {
         domain_sweep_down(d, domain, r);
 }
 
-/* residual = the transformed r; returns its squared norm, r' M^-1 r. */
+/* Sets the residual to the transformed r. Returns its squared norm, r' M^-1 r with the
+ * preconditioner M. */
 static double transform(domain_solver *d, const double (*r)[3]) {
     domain_scale(d, r);
     sweep_even_down(d, d->residual);
@@ -33,7 +36,7 @@ static double transform(domain_solver *d, const double (*r)[3]) {
     return solver_sum(d->sum_residual, d->count);
 }
 
-/* dv += the correction, after its upward sweep. */
+/* Adds the correction to dv, after the correction's upward sweep. */
 static void add_correction(domain_solver *d, double (*dv)[3]) {
 #pragma omp parallel
     for (int odd = 1; odd >= 0; odd--) {
@@ -44,7 +47,7 @@ static void add_correction(domain_solver *d, double (*dv)[3]) {
     domain_add_correction(d, dv);
 }
 
-/* correction = 0, p = the residual, and the initial vectors of an iteration. */
+/* Sets correction = 0 and p = the residual, and begins the first iteration. */
 static void begin(domain_solver *d) {
     const size_t size = sizeof(double[3]) * (size_t)d->A->row_count;
     memset(d->correction, 0, size);
@@ -57,9 +60,9 @@ static void begin(domain_solver *d) {
     }
 }
 
-/* All of an iteration except the product. *square = r . r, before and after; returns p . image. If
- * that is not positive, only the direction changes. Every thread adds up the domains' sums itself.
- */
+/* Does all of an iteration except the product with `between`. *square is r . r, before and after.
+ * Returns p . image; if that is not positive, correction and residual do not change. Every thread
+ * adds up the domains' sums itself. */
 static double finish_iteration(domain_solver *d, double *square) {
     const double before = *square;
 #pragma omp parallel
@@ -86,8 +89,8 @@ static double finish_iteration(domain_solver *d, double *square) {
     return solver_sum(d->sum_direction, d->count);
 }
 
-/* Iterates from the residual that transform left, of squared norm `square`, until it is at most
- * `goal`. */
+/* Iterates from the residual that `transform` computed, until its squared norm, at first `square`,
+ * is at most `goal`. */
 static solver_status iterate(domain_solver *d, double square, double goal, long most,
                              long *iterations) {
     begin(d);

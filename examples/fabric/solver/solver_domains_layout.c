@@ -9,8 +9,9 @@
 #include "solver_factor.h"
 #include "solver_precondition.h"
 
-/* Determines the result's bits, so it must not be tuned by machine. A sorted mesh of n vertices has
- * a bandwidth proportional to sqrt(n), with bending about 3 sqrt(n); a domain should be longer. */
+/* The number of domains determines the result's bits, so it must not be tuned by machine. A sorted
+ * mesh of n vertices has a bandwidth proportional to sqrt(n), with bending about 3 sqrt(n). A
+ * domain should be longer than that. */
 int domain_count(int vertices) {
     return 2 * (1 + (int)(sqrt((double)vertices) / 14));
 }
@@ -23,7 +24,8 @@ static int is_odd(const domain_solver *d, int vertex) {
     return d->domain[vertex] % 2;
 }
 
-/* The matrix to which a block of A belongs. Blocks from odd to even domains are transposed. */
+/* Returns the matrix to which a block of A belongs. Blocks from odd to even domains are stored
+ * transposed. */
 static block_matrix *home_of(domain_solver *d, int row, int column) {
     if (row != column && d->domain[row] == d->domain[column])
         return &d->within;
@@ -34,8 +36,8 @@ static int is_transposed(const domain_solver *d, int row, int column) {
     return is_odd(d, row) && !is_odd(d, column);
 }
 
-/* Lays out one of the matrices: finds A's blocks that belong to it, and their indices. 0, or -1:
- * out of memory. */
+/* Lays out one of the three matrices: finds A's blocks that belong to it, and their indices.
+ * Returns 0, or -1 if out of memory. */
 static int lay_out(domain_solver *d, block_matrix *m) {
     const block_matrix *A = d->A;
     const size_t rows = (size_t)A->row_count;
@@ -43,8 +45,8 @@ static int lay_out(domain_solver *d, block_matrix *m) {
     m->row_start = calloc(rows + 2, sizeof *m->row_start);
     if (!m->row_start)
         return -1;
-    /* Row i is counted at i + 2. The filling below then advances row_start[i + 1] to row i's end.
-     */
+    /* Row i is counted at i + 2, so that the filling below advances row_start[i + 1] to row i's
+     * end. */
     for (int i = 0; i < A->row_count; i++)
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             if (home_of(d, i, A->column[k]) == m)
@@ -67,7 +69,8 @@ static int lay_out(domain_solver *d, block_matrix *m) {
     return 0;
 }
 
-/* Lists the blocks of `across` by columns, for sweeps of odd domains. 0, or -1: out of memory. */
+/* Lists the blocks of `across` by columns, for sweeps of odd domains. Returns 0, or -1 if out of
+ * memory. */
 static int lay_out_columns(domain_solver *d) {
     const block_matrix *m = &d->across;
     d->reached_start = arrays_add(&d->own, (size_t)m->row_count + 2, sizeof *d->reached_start);
@@ -158,7 +161,7 @@ static void scale(const double left[3][3], const double block[3][3], const doubl
     }
 }
 
-/* Filters and scales block k of row i. */
+/* Filters and scales block k of row i of A, and stores it in its matrix. */
 static void build_block(domain_solver *d, const constraints *c, int i, int k) {
     const int j = d->A->column[k];
     double block[3][3], out[3][3];

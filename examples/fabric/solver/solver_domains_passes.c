@@ -4,7 +4,7 @@
 
 #include "base/vector.h"
 
-/* t -= the row of U times x */
+/* Subtracts the row of U times x from t. */
 static inline void subtract_row(const block_matrix *U, int row, const double (*x)[3], double t[3]) {
     double t0 = t[0], t1 = t[1], t2 = t[2];
     for (int k = U->row_start[row]; k < U->row_start[row + 1]; k++) {
@@ -37,7 +37,8 @@ void domain_sweep_up(const domain_solver *d, int domain, const double (*from)[3]
     }
 }
 
-/* Subtracts the column of `across` times r of even domains, which are swept before. */
+/* Subtracts from r[column] the transposed column of `across` times r of even domains, which are
+ * swept before. */
 static void subtract_column(const domain_solver *d, int column, double (*r)[3]) {
     double t0 = 0, t1 = 0, t2 = 0;
     for (int k = d->reached_start[column]; k < d->reached_start[column + 1]; k++) {
@@ -99,8 +100,8 @@ void domain_sweep_direction(domain_solver *d, int domain) {
         domain_sweep_down(d, domain, d->image);
 }
 
-/* The image of p at vertex i: t + (I + U)^-T w. It is not stored: while odd domains are swept down,
- * they read w of even ones. */
+/* Computes the image of p at vertex i, t + (I + U)^-T w. It is not stored, because odd domains read
+ * w of even domains while they are swept down. */
 static inline void image_at(const domain_solver *d, int i, double image[3]) {
     vector_add_scaled(d->image[i], 1, d->swept[i], image);
 }

@@ -46,7 +46,8 @@ static void subtract_product(const double left[3][3], const double right[3][3], 
                 left[0][r] * right[0][c] + left[1][r] * right[1][c] + left[2][r] * right[2][c];
 }
 
-/* inverse = C^-1 with a = C C'; returns whether every pivot is greater than `least`. */
+/* Computes inverse = C^-1 with a = C C'. Returns 0, and no inverse, unless every pivot is greater
+ * than its entry of `least`. */
 static int invert_root(const double a[3][3], const double least[3], double inverse[3][3]) {
     const double p0 = a[0][0];
     const double c00 = sqrt(p0), c10 = a[1][0] / c00, c20 = a[2][0] / c00;
@@ -73,7 +74,7 @@ static void root_of(const double block[3][3], double root[3][3]) {
         memset(root, 0, sizeof(double[3][3]));
 }
 
-/* As root_of, but a block that is not positive definite gives a multiple of the identity, so that
+/* Like root_of, but a block that is not positive definite gives a multiple of the identity, so that
  * conjugate gradients detect that A is not positive definite. (No force makes such a block.) A
  * block of 0 gives 0. */
 static void root_or_identity(const double block[3][3], double root[3][3]) {
@@ -110,7 +111,7 @@ static void diagonal_roots(factored *f, const block_matrix *A, preconditioner_ki
     }
 }
 
-/* C^-1 of row i's reduced diagonal block. 0, or -1: breakdown. */
+/* Computes C^-1 of row i's reduced diagonal block. Returns 0, or -1 on breakdown. */
 static int reduced_root(factored *f, const block_matrix *A, int i) {
     double least[3], left[3][3];
     const double(*whole)[3] = (const double(*)[3])f->upper[A->row_start[i]];
@@ -124,7 +125,8 @@ static int reduced_root(factored *f, const block_matrix *A, int i) {
     return f->root[i][0][0] == 0 ? 0 : -1;
 }
 
-/* Subtracts G' G from the blocks of later rows; G: row i's blocks divided by its root. */
+/* Subtracts G' G from the blocks of later rows. G are row i's blocks, multiplied by C^-1 from the
+ * left. */
 static void eliminate(factored *f, const block_matrix *A, int i) {
     const int first = A->row_start[i] + 1, end = A->row_start[i + 1];
     assert(first <= end &&
@@ -148,8 +150,8 @@ static void eliminate(factored *f, const block_matrix *A, int i) {
     }
 }
 
-/* Computes R from the filtered blocks in `upper`, with diagonal blocks multiplied by 1 + shift. 0,
- * or -1: breakdown. */
+/* Computes R from the filtered blocks in `upper`, with diagonal blocks multiplied by 1 + shift.
+ * Returns 0, or -1 on breakdown. */
 static int factorise(factored *f, const block_matrix *A) {
     assert(f->factor && f->shift > 0);
     memcpy(f->factor, f->upper, sizeof *f->factor * (size_t)A->block_count);
@@ -165,7 +167,7 @@ static int factorise(factored *f, const block_matrix *A) {
     return 0;
 }
 
-/* block = block C^-T, also multiplied by C^-1 from the left if `both`. */
+/* Replaces block by block C^-T, also multiplied by C^-1 from the left if `both`. */
 static void scale_block(const double left_root[3][3], const double right_root[3][3], int both,
                         double block[3][3]) {
     double half[3][3];
@@ -199,7 +201,7 @@ void factored_build(factored *f, const block_matrix *A, const constraints *c,
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             prefiltered_block(A, c, i, k, f->upper[k]);
     if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) {
-        /* With a shift of 2^20 only non-finite values can cause a breakdown. */
+        /* With a shift of about 1e6 only non-finite values can cause a breakdown. */
         for (f->shift = first_shift; factorise(f, A) != 0 && f->shift < 1e6;)
             f->shift *= 2;
     } else

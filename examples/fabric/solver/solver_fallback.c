@@ -23,8 +23,8 @@ static solver_status solve_directly(solver_fallback *f, solver *s, const linear_
     return status;
 }
 
-/* The number of multiplications of an iteration: about two 3x3 blocks per stored block in the
- * product, and as many in the preconditioner. */
+/* Returns the number of multiplications in an iteration: for each stored block about two 3x3
+ * products in the product with A, and two more in the preconditioner. */
 static double work_of_iteration(const block_matrix *A) {
     return 2 * 9 * 2.0 * (double)A->block_count;
 }

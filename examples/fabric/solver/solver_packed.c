@@ -18,10 +18,10 @@
 #undef REAL
 #undef PACKED
 
-/* In mixed precision, an iteration in float ends when the residual has decreased by this factor.
- * Beyond that, the computed residual differs from the true one. */
+/* In mixed precision, a run of the iteration in float ends when the residual has decreased by this
+ * factor. Beyond that, the computed residual differs from the true one. */
 static const double float_gain = 1e-3;
-enum { most_refinements = 20 }; /* maximum number of iterations in float per solution */
+enum { most_refinements = 20 }; /* maximum number of runs of the iteration in float per solution */
 
 struct packed_solver {
     const block_matrix *A;
@@ -29,7 +29,7 @@ struct packed_solver {
     factored built;
     double_system in_double;
     float_system in_float;
-    float (*diagonal)[6]; /* the built blocks, rounded */
+    float (*diagonal)[6]; /* the blocks of `built`, rounded to float */
     float (*upper)[3][3];
     float (*factor)[3][3];
     float (*root)[3][3];
@@ -101,16 +101,16 @@ static void build(packed_solver *p, const constraints *c) {
         round_all(&p->built.factor[0][0][0], &p->factor[0][0][0], 9 * blocks);
 }
 
-/* Converts the double residual r for an iteration; returns r' M^-1 r. */
+/* Transforms the residual r, in double, for the iteration. Returns r' M^-1 r. */
 static double transform(packed_solver *p, const double (*r)[3]) {
     const preconditioner_kind kind = p->options.preconditioner;
     return p->options.precision == PRECISION_DOUBLE ? double_transform(&p->in_double, p->A, kind, r)
                                                     : float_transform(&p->in_float, p->A, kind, r);
 }
 
-/* dv += the solution for the residual that transform left. Rounding, especially in float, adds
- * small components along given directions, which the residual does not show; they are projected
- * out. */
+/* Adds to dv the solution for the residual that `transform` computed. Rounding, especially in
+ * float, adds small components along given directions, which the residual does not show; they are
+ * projected out. */
 static solver_status iterate(packed_solver *p, const constraints *c, double square, double goal,
                              long most, double (*dv)[3], long *iterations) {
     const preconditioner_kind kind = p->options.preconditioner;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Conjugate gradients on the preconditioned matrix; included once per number type, with REAL the
- * type and PACKED(name) the names. The prefiltered matrix B = S A S + s (I - S) is stored scaled,
- * as A^ = C^-1 B C^-T = D^ + U + U', C C' being the preconditioner's diagonal blocks and U strictly
- * upper. The iteration runs on
+ * Conjugate gradients on the preconditioned matrix. This file is included once per number type:
+ * REAL is the type, PACKED(name) the name for it. The prefiltered matrix B = S A S + s (I - S)
+ * (solver_precondition.h) is stored scaled, as A^ = C^-1 B C^-T = D^ + U + U'. C C' are the
+ * preconditioner's diagonal blocks, D^ is the diagonal of A^, and U is strictly upper. The
+ * iteration runs on
  *  - A^ itself (M = C C') without a preconditioner, and for Jacobi and block-Jacobi
  *  - (I + U)^-T A^ (I + U)^-1 for symmetric Gauss-Seidel
- *  - (I + F)^-T A^ (I + F)^-1 for incomplete Cholesky
- * Gauss-Seidel needs no product with A^ (Eisenstat 1981): with t = (I + U)^-1 p the image of p is
- * t + (I + U)^-T (p + (D^ - 2 I) t), two sweeps over U.
+ *  - (I + F)^-T A^ (I + F)^-1 for incomplete Cholesky (F: solver_factor.h)
+ * Gauss-Seidel needs no product with A^ (Eisenstat 1981): with t = (I + U)^-1 p the image of a
+ * direction p is t + (I + U)^-T (p + (D^ - 2 I) t), two sweeps over U.
  */
 
 typedef struct PACKED(system) {
@@ -17,8 +18,8 @@ typedef struct PACKED(system) {
     const REAL (*factor)[3][3]; /* F; NULL unless incomplete Cholesky */
     const REAL (*root)[3][3];   /* C^-1, lower triangles */
     REAL (*direction)[3];       /* p */
-    REAL (*residual)[3];        /* of the transformed system */
-    REAL (*correction)[3];      /* its solution */
+    REAL (*residual)[3];        /* residual of the transformed system */
+    REAL (*correction)[3];      /* solution of the transformed system */
     REAL (*swept)[3];           /* t */
     REAL (*image)[3];
 } PACKED(system);
@@ -33,7 +34,8 @@ static void PACKED(allocate)(PACKED(system) * p, const block_matrix *A, arrays *
     p->image = arrays_add(own, rows, sizeof *p->image);
 }
 
-/* to = (I + W)^-1 from, row by row from the last. to may be from. */
+/* Computes to = (I + W)^-1 from, from the last row to the first. `to` and `from` may be the same
+ * array. */
 static void PACKED(sweep_up)(const block_matrix *A, const REAL (*W)[3][3], const REAL (*from)[3],
                              REAL (*to)[3]) {
     for (int i = A->row_count - 1; i >= 0; i--) {
@@ -50,7 +52,7 @@ static void PACKED(sweep_up)(const block_matrix *A, const REAL (*W)[3][3], const
     }
 }
 
-/* r = (I + W)^-T r, in place. */
+/* Replaces r by (I + W)^-T r. */
 static void PACKED(sweep_down)(const block_matrix *A, const REAL (*W)[3][3], REAL (*r)[3]) {
     for (int i = 0; i < A->row_count; i++) {
         const REAL w0 = r[i][0], w1 = r[i][1], w2 = r[i][2];
@@ -63,14 +65,14 @@ static void PACKED(sweep_down)(const block_matrix *A, const REAL (*W)[3][3], REA
     }
 }
 
-/* out = D x, D symmetric */
+/* out = D x for a symmetric D */
 static inline void PACKED(multiply)(const REAL D[6], const REAL x[3], REAL out[3]) {
     out[0] = D[0] * x[0] + D[1] * x[1] + D[2] * x[2];
     out[1] = D[1] * x[0] + D[3] * x[1] + D[4] * x[2];
     out[2] = D[2] * x[0] + D[4] * x[1] + D[5] * x[2];
 }
 
-/* image = A^ p; returns p . image. */
+/* image = A^ p. Returns p . image. */
 static double PACKED(image_plain)(const PACKED(system) * s, const block_matrix *A) {
     double sum = 0;
     memset(s->image, 0, sizeof *s->image * (size_t)A->row_count);
@@ -97,7 +99,7 @@ static double PACKED(image_plain)(const PACKED(system) * s, const block_matrix *
     return sum;
 }
 
-/* image = t + (I + U)^-T (p + (D^ - 2 I) t); returns p . image. */
+/* image = t + (I + U)^-T (p + (D^ - 2 I) t). Returns p . image. */
 static double PACKED(image_gauss_seidel)(const PACKED(system) * s, const block_matrix *A) {
     const REAL(*restrict upper)[3][3] = s->upper;
     REAL(*restrict image)[3] = s->image;
@@ -123,7 +125,8 @@ static double PACKED(image_gauss_seidel)(const PACKED(system) * s, const block_m
     return sum;
 }
 
-/* image = (I + F)^-T A^ (I + F)^-1 p; returns p . image. Product and second sweep are one loop. */
+/* image = (I + F)^-T A^ (I + F)^-1 p. Returns p . image. The product and the second sweep share one
+ * loop. */
 static double PACKED(image_factored)(const PACKED(system) * s, const block_matrix *A) {
     REAL(*restrict image)[3] = s->image;
     double sum = 0;
@@ -168,7 +171,7 @@ static double PACKED(make_image)(const PACKED(system) * s, const block_matrix *A
     }
 }
 
-/* The blocks for the sweeps before and after the iteration; NULL: no sweeps. */
+/* Returns the blocks for the sweeps before and after the iteration, or NULL if there are none. */
 static const REAL (*PACKED(swept_blocks)(const PACKED(system) * s,
                                          preconditioner_kind kind))[3][3] {
     if (kind == PRECONDITIONER_GAUSS_SEIDEL)
@@ -176,7 +179,7 @@ static const REAL (*PACKED(swept_blocks)(const PACKED(system) * s,
     return kind == PRECONDITIONER_INCOMPLETE_CHOLESKY ? s->factor : NULL;
 }
 
-/* residual = the transformed r; returns its squared norm, r' M^-1 r. */
+/* Sets the residual to the transformed r. Returns its squared norm, r' M^-1 r. */
 static double PACKED(transform)(const PACKED(system) * s, const block_matrix *A,
                                 preconditioner_kind kind, const double (*r)[3]) {
     const REAL(*W)[3][3] = PACKED(swept_blocks)(s, kind);
@@ -196,7 +199,7 @@ static double PACKED(transform)(const PACKED(system) * s, const block_matrix *A,
     return sum;
 }
 
-/* dv += the correction, transformed back to the system's variables. */
+/* Adds the correction to dv, transformed back to the system's variables. */
 static void PACKED(add_correction)(const PACKED(system) * s, const block_matrix *A,
                                    preconditioner_kind kind, double (*dv)[3]) {
     const REAL(*W)[3][3] = PACKED(swept_blocks)(s, kind);
@@ -211,7 +214,8 @@ static void PACKED(add_correction)(const PACKED(system) * s, const block_matrix 
     }
 }
 
-/* correction += alpha p, residual -= alpha image; returns the residual's squared norm. */
+/* Adds alpha p to the correction and subtracts alpha image from the residual. Returns the
+ * residual's squared norm. */
 static double PACKED(advance)(const PACKED(system) * s, int count, REAL alpha) {
     double sum[3] = {0, 0, 0};
     for (int i = 0; i < count; i++)
@@ -229,8 +233,8 @@ static void PACKED(update_direction)(const PACKED(system) * s, int count, REAL b
             s->direction[i][a] = s->residual[i][a] + beta * s->direction[i][a];
 }
 
-/* Iterates from the residual that transform left, of squared norm `square`, until it is at most
- * `goal`. */
+/* Iterates from the residual that PACKED(transform) computed, until its squared norm, at first
+ * `square`, is at most `goal`. */
 static solver_status PACKED(iterate)(const PACKED(system) * s, const block_matrix *A,
                                      preconditioner_kind kind, double square, double goal,
                                      long most, long *iterations) {

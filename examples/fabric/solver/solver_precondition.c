@@ -7,9 +7,10 @@
 #include "base/matrix3.h"
 #include "base/vector.h"
 
-/* The inverse of a symmetric positive definite matrix, by its cofactors. A matrix whose leading
- * minors show that it is not positive definite (Sylvester) gives a multiple of the identity, so
- * that conjugate gradients detect that A is not positive definite; 0 gives 0. */
+/* Computes the inverse of a symmetric positive definite matrix, by its cofactors. A matrix whose
+ * leading minors show that it is not positive definite (Sylvester's criterion) gives a multiple of
+ * the identity, so that conjugate gradients detect that A is not positive definite. A matrix of 0
+ * gives 0. */
 static void invert(const double a[3][3], double inverse[3][3]) {
     const double minor = a[0][0] * a[1][1] - a[0][1] * a[0][1];
     double column[3][3];

@@ -139,7 +139,7 @@ static void set_change(simulation *sim, const double (*x)[3]) {
     half_product(&C, read_only(s->dv), s->product);
 }
 
-/* E at x. */
+/* Computes E (barrier_step.h) at positions x, J. */
 static double potential(simulation *sim, const double (*x)[3]) {
     const barrier_step *s = sim->barrier;
     double sum[CHUNK_SUM_MOST] = {0}, stretch = 0, shear = 0, elastic = 0;
@@ -159,7 +159,7 @@ static double potential(simulation *sim, const double (*x)[3]) {
            barrier_friction(&s->contact, sim->step.h, x);
 }
 
-/* Assembles the system for the change of dv at b->x, with driven vertices moving to their goals. */
+/* Assembles the system for the change of dv at b->x while driven vertices move to their goals. */
 static int assemble(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
@@ -191,7 +191,8 @@ static int assemble(simulation *sim) {
     return 0;
 }
 
-/* Computes displacements by the linear system; *most: m, the largest of a free vertex. */
+/* Computes displacements by the linear system. *most receives the largest displacement of a free
+ * vertex, m. */
 static solver_status find_displacements(simulation *sim, double *most) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
@@ -215,7 +216,8 @@ static solver_status find_displacements(simulation *sim, double *most) {
     return status == SOLVER_NOT_FINITE || !isfinite(longest) ? SOLVER_NOT_FINITE : SOLVER_CONVERGED;
 }
 
-/* The largest displacement of all vertices, or only of driven ones, m. */
+/* Returns the largest displacement, m, of all vertices or, with `driven_alone`, only of driven
+ * ones. */
 static double longest_displacement(const barrier *b, int driven_alone) {
     double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most)
@@ -227,7 +229,8 @@ static double longest_displacement(const barrier *b, int driven_alone) {
     return most;
 }
 
-/* x = b->x + part * displacement; `arrives`: driven vertices are set exactly to their goals. */
+/* Sets x = b->x + part * displacement; if `arrives`, driven vertices are set exactly to their
+ * goals. */
 static void displace(const barrier *b, double part, int arrives, double (*x)[3]) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)
@@ -237,7 +240,7 @@ static void displace(const barrier *b, double part, int arrives, double (*x)[3])
             vector_add_scaled(b->x[i], part, b->displacement[i], x[i]);
 }
 
-/* sum a.b over free vertices */
+/* The sum of a . b over free vertices. */
 static double free_dot(const simulation *sim, const double (*a)[3], const double (*b)[3]) {
     const unsigned char *driven = sim->barrier->contact.driven;
     const int count = sim->mesh->vertex_count;
@@ -249,9 +252,10 @@ static double free_dot(const simulation *sim, const double (*a)[3], const double
     return chunk_sum_all(count, sum);
 }
 
-/* Makes Newton's direction z conjugate to the last one: z + f d, f = z.(r - r') / z'.r', with r
- * = -dE/d(dv) and ' for the previous iteration (Polak and Ribiere). The projected Hessian omits
- * negative terms and is too stiff; without conjugation three times as many systems are needed. */
+/* Replaces the search direction d by z + f d, with Newton's direction z, f = max(0, z . (r - r') /
+ * (z' . r')) and r = -dE/d(dv); ' marks values of the previous iteration (Polak and Ribiere). The
+ * projected Hessian omits negative terms and is too stiff: without conjugate directions three times
+ * the number of systems is needed. */
 static void make_conjugate(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier_descent *d = &s->descent;
@@ -277,14 +281,16 @@ static void make_conjugate(simulation *sim) {
             vector_scale(d->direction[i], sim->step.h, b->displacement[i]);
 }
 
-/* The minimum, up to `most`, of the parabola with this slope at 0 and this change at `part`. */
+/* Returns the position, at most `most`, of the minimum of the parabola that has this slope at 0 and
+ * this change of value at `part`. */
 static double lowest_part(double slope, double change, double part, double most) {
     const double curvature = 2 * (change - slope * part) / (part * part);
     return curvature > 0 ? fmin(most, -slope / curvature) : most;
 }
 
 /* Line search: moves b->x by Newton's fraction of the displacement, halved until E does not grow,
- * or to a parabola's minimum if E is lower there. 0: E grew after all halvings. */
+ * or to a parabola's minimum if E is lower there. Returns 0 if E grew after all halvings, otherwise
+ * 1. */
 static int descend(simulation *sim, double newton, double most) {
     barrier *b = &sim->barrier->contact;
     const double before = potential(sim, read_only(b->x)), slope = sim->barrier->descent.slope;
@@ -306,8 +312,9 @@ static int descend(simulation *sim, double newton, double most) {
     return 1;
 }
 
-/* Computes the barrier's energy and the work of bodies in the step: the force on a body is the
- * elements' unbalanced force. The work of pins follows from the constraints' residual. */
+/* Computes the barrier's energy and the work of bodies in the step: the force on a body is the sum
+ * of the elements' gradients at its vertices. The work of pins follows from the constraints'
+ * residual. */
 static void settle(simulation *sim) {
     barrier_step *s = sim->barrier;
     const barrier *b = &s->contact;
@@ -326,8 +333,9 @@ static void settle(simulation *sim) {
            (size_t)sim->mesh->vertex_count * sizeof *sim->solver.residual);
 }
 
-/* One iteration. SOLVER_CONVERGED: the step is done; SOLVER_TOO_MANY_ITERATIONS: continue. At least
- * one iteration is made, so that the cloth falls even in the shortest step. */
+/* Makes one iteration. Returns SOLVER_CONVERGED if the step is done, SOLVER_TOO_MANY_ITERATIONS if
+ * more iterations are needed, or SOLVER_NOT_FINITE on failure. Each step makes at least one
+ * iteration, so that the cloth falls even in the shortest step. */
 static solver_status iterate(simulation *sim, int number) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;

@@ -8,20 +8,21 @@
 
 /**
  * Fills sim->system: A = M + h D + h^2 K and b = h (m g + f(x)) - (h^2 K + h D) lag, with K =
- * -df/dx and D = -df/dv at x. Drag has no K and uses v instead of lag. Adds the time to each
- * effect's account.
+ * -df/dx and D = -df/dv at x (h, x, lag: struct expansion). Drag has no K and uses v instead of
+ * lag. Adds the time spent to each effect's time.
  */
 void forces_assemble(simulation *sim, const expansion *at);
 
-/** The first of two parts, for an incremental potential: forces that depend on velocities, and
- *  external forces. These are expanded only once, about the beginning of the step. */
+/** The first of two parts of forces_assemble, for a step that minimises an energy: forces that
+ *  depend on velocities, and external forces. They are linearised only once, about the beginning of
+ *  the step. */
 void forces_assemble_lagged(simulation *sim, const expansion *at);
 /** The second part: adds to sim->system the forces that have an energy: stretch, shear, bend,
  * strain limit. */
 void forces_add_elastic(simulation *sim, const expansion *at);
 
-/** Adds the elements that the solution dv subjects to an effect (the strain limit) within the step;
- *  returns their number. If it is not 0, the system must be solved again. */
+/** Adds the elements that the solution dv subjects to an effect (the strain limit) within the step.
+ *  Returns their number. If it is not 0, the system must be solved again. */
 int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
 #endif

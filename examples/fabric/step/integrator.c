@@ -15,7 +15,7 @@
  * Lengths grow by 2, and by more only after a step that was cut at an event. */
 static const double most_growth = 2.1;
 
-/* Limit of solutions per step: after each one, unexpected contacts are added for the next. */
+/* Limit of solutions per step: after each solution, unexpected contacts are added for the next. */
 enum { most_solutions = 3 };
 
 int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count) {
@@ -36,7 +36,7 @@ void integrator_free(integrator_memory *memory) {
     *memory = (integrator_memory){0};
 }
 
-/* Sets X, V and tau of the current step. two_states: BDF2, from the last two states. */
+/* Sets X, V and tau of the current step; with two_states by BDF2, from the last two states. */
 static void set_stage(simulation *sim, int two_states) {
     integrator_memory *of = &sim->integrator;
     const double ratio = two_states ? sim->step.h / of->h_before : 0;
@@ -93,8 +93,8 @@ static void leave_two_states(simulation *sim) {
                             &sim->system);
 }
 
-/* The change of the mean velocity over the step that leads to x = X + tau (v + dv), for contacts.
- */
+/* Returns the mean velocity over the step that leads to x = X + tau (v + dv), minus the velocity v
+ * at its start. Contacts need it. */
 static const double (*mean_change(simulation *sim))[3] {
     const integrator_memory *of = &sim->integrator;
     if (!of->two_states)
@@ -122,7 +122,8 @@ static solver_status solve_stage(simulation *sim) {
                                  &limits, sim->step.dv, &sim->account.iterations);
 }
 
-/* Only for the linear method: Newton's method detects such forces at its iterates. */
+/* Adds forces that begin to act within the step, for the linear method only: Newton's method finds
+ * such forces at its iterates. Returns their number. */
 static int add_missed_forces(simulation *sim) {
     const expansion start = {sim->step.h, read_only(sim->state.x), read_only(sim->state.v),
                              read_only(sim->state.v)};
@@ -172,8 +173,8 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
         }
 }
 
-/* Changes v_next so that the cloth passes through neither itself nor a body. 0, or -1: as for
- * impact_resolve. */
+/* Changes v_next so that the cloth passes through neither itself nor a body. Returns 0, or -1 if
+ * out of memory or if a number is not finite. */
 static int resolve_contacts(simulation *sim) {
     const int itself = effect_is_on(sim, EFFECT_SELF_COLLISION);
     effect_account *account = &sim->account.effects[EFFECT_SELF_COLLISION];

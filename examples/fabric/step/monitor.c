@@ -25,7 +25,7 @@ static double kinetic_energy(int count, const double *mass, const double (*v)[3]
     return chunk_sum_all(count, sum);
 }
 
-/* sum m g . dx */
+/* The work of gravity, sum m g . dx, J. */
 static double gravity_work(int count, const double *mass, const double gravity[3],
                            const double (*x)[3], const double (*x_next)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
@@ -67,7 +67,7 @@ static double outside_work(const monitored_step *step, const scene *s) {
                            step->residual);
 }
 
-/* The energy of strains and angles of 1e-12, which some thousand rounding errors cause. */
+/* Returns the energy of strains and angles of 1e-12, which some thousand rounding errors cause. */
 static double energy_of_rounding(const struct cloth *cloth) {
     const triangle_material *t = &cloth->triangle_material;
     double area = 0, weight = 0;
@@ -107,8 +107,8 @@ static int tolerates(monitor *m, const monitored_step *step, monitor_verdict ver
     return m->tolerated[verdict];
 }
 
-/* Neither one step nor all steps together may gain more than this fraction of the initial and the
- * added energy: small gains add up, especially in short steps. */
+/* Does the step keep the energy? Neither one step nor all steps together may gain more than this
+ * fraction of the initial and the added energy: small gains add up, especially in short steps. */
 static int keeps_energy(monitor *m, double part) {
     const double given = m->reference + fabs(m->work), most = part * given + m->noise;
     const double in_step = m->next_energy - m->energy - m->work, in_all = m->next_energy - given;

@@ -4,9 +4,10 @@
  *
  *  - ends with an infinity or NaN, or has no converged solution;
  *  - stretches a triangle by more than a limit, unless the cloth stays below a harmless strain;
- *  - gains more energy than gravity, wind, pins and colliders supply: with E kinetic and elastic
- *    energy and W their work, E' - E - W > limit (E_0 + sum |W|); or ends with more energy than
- *    was supplied in all steps, E' > (1 + limit) (E_0 + sum |W|);
+ *  - gains more energy than gravity, wind, pins and colliders supply: E' - E - W > limit (E_0 + sum
+ *    |W|), or over all steps, E' > (1 + limit) (E_0 + sum |W|). E and E' are the kinetic and
+ *    elastic energy before and after the step, E_0 is that at the start of the run, W is the work
+ *    supplied;
  *  - ends with a vertex deeper in a collider than a limit, and deeper than before;
  *  - lets cloth pass through itself or through a collider.
  *
@@ -28,50 +29,56 @@ typedef enum monitor_verdict {
     STEP_ENERGY,
     STEP_PENETRATION,
     STEP_PASSING,
-    STEP_NO_ROOM, /* `contact: barrier`: driven vertices could not reach their goals */
+    STEP_NO_ROOM, /* with `contact: barrier`: vertices moved by pins or bodies could not reach their
+                   * goals */
     STEP_VERDICT_COUNT
 } monitor_verdict;
 
-/** Input of the monitor: both ends of the step, by reference. */
+/** Input of the monitor: pointers to the states at both ends of the step, and results of the
+ *  step. */
 typedef struct monitored_step {
     double h;           /* s */
-    double stage_h;     /* s, of the integrator's stage */
-    double time;        /* s, at the step's beginning */
+    double stage_h;     /* s, length of the integrator's stage */
+    double time;        /* s, time at the step's beginning */
     double push_work;   /* J, work of impact_resolve or, with barriers, of bodies */
-    const double *wind; /* [3] m/s, in this step */
+    const double *wind; /* [3] m/s, wind in this step */
     const double (*x)[3], (*v)[3], (*x_next)[3], (*v_next)[3];
-    const double (*residual)[3]; /* of the solver, see solver.h */
+    const double (*residual)[3]; /* the solver's residual, see solver.h */
     const constraints *given;
     struct cloth *cloth;       /* not const: hinges cache the angles of the last energy */
     const strain_limit *limit; /* NULL: none */
     const collisions *collisions;
     solver_status status;
-    int passing;  /* pairs of the cloth, and triangles with a collider, that pass in the step */
+    int passing;  /* number of pairs of the cloth, and of triangles with a collider, that pass in
+                   * the step */
     int watched;  /* 0: only `finite`, `status` and `passing` are checked */
-    int finite;   /* all of x_next and v_next are */
+    int finite;   /* all of x_next and v_next are finite */
     int shortest; /* the step cannot be halved further */
     int futile;   /* shorter steps would not separate cloth and bodies (monitor_futile_parts) */
 } monitored_step;
 
 typedef struct monitor {
     const scene *scene;
-    double strain, energy, depth; /* of the state accepted last: largest, J, m */
+    double strain, energy, depth; /* of the state accepted last: largest strain; J; m, greatest
+                                   * depth */
     double reference;             /* J, E_0 + sum |W| */
-    double noise;                 /* J, bound on the error by rounded positions */
-    /* Of the step checked last: */
+    double noise;                 /* J, bound on the error of the energy that rounding of positions
+                                   * causes */
+    /* About the step checked last: */
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* the value and its limit */
     int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in this step */
-    long passing_in_a_row;             /* consecutive accepted steps in which something passed */
-    /* Of all accepted steps: */
+    long passing_in_a_row;             /* number of consecutive accepted steps in which something
+                                        * passed */
+    /* About all accepted steps: */
     long let_pass[STEP_VERDICT_COUNT];
-    double greatest_strain, deepest; /* m */
+    double greatest_strain, deepest; /* no unit; m */
     /* At the start of the run: */
-    long start_inside;  /* vertices in a collider */
+    long start_inside;  /* number of vertices in a collider */
     double start_depth; /* m */
 } monitor;
 
-/** Evaluates the state from which a run starts. Reads only mass, x, v, elements and collisions. */
+/** Evaluates the state from which a run starts. `start` needs no data of the step's end. */
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 
 /** Checks a step. In a step of the shortest length all faults are accepted except energy and
@@ -80,17 +87,17 @@ void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 monitor_verdict monitor_check(monitor *m, const monitored_step *step);
 
 /**
- * The step length, in multiples of the shortest step, at and below which passing or penetration
- * causes no more halving: 1 at first, doubled after every 32 consecutive accepted faults. Cloth
- * squeezed by two bodies passes in steps of any length; with the shortest ones a run would take a
- * thousand times as long without a better result.
+ * Returns the step length, in multiples of the shortest step, at and below which passing or
+ * penetration causes no more halving. It is 1 at first, and doubles after every 32 consecutive
+ * accepted steps with such a fault. Cloth squeezed by two bodies passes in steps of any length;
+ * with the shortest ones a run would take a thousand times as long without a better result.
  */
 int monitor_futile_parts(const monitor *m);
 
-/** Accepts the step checked last: the next one is compared with its end. */
+/** Accepts the step checked last: the next step is compared with its end. */
 void monitor_accept(monitor *m);
 
-/** The verdict's name: "energy", "strain", ... */
+/** The verdict's name, such as "energy" or "strain". */
 const char *monitor_verdict_name(monitor_verdict verdict);
 
 #endif

@@ -15,7 +15,8 @@ enum { most_cuts = 10 };
 /* Tolerance of linear systems, as a fraction of Newton's tolerance. */
 static const double inner_part = 0.1;
 
-/* b += M (V - v_n): BDF2's base velocity V differs from the velocity at the step's start. */
+/* Adds M (V - v_n) to b, because BDF2's base velocity V differs from v_n, the velocity at the
+ * step's start. */
 static void add_base(simulation *sim) {
     const integrator_memory *of = &sim->integrator;
     for (int i = 0; i < sim->mesh->vertex_count; i++)
@@ -42,7 +43,8 @@ static void add_damping(simulation *sim) {
                              read_only(of->at_x), read_only(of->at_v), sim->system.b);
 }
 
-/* Assembles the system for dv, with forces expanded about the state that sim->step.dv leads to. */
+/* Assembles the system for dv, with forces linearised about the state that sim->step.dv leads
+ * to. */
 static void assemble(simulation *sim) {
     integrator_memory *of = &sim->integrator;
     const double start = clock_seconds();
@@ -65,14 +67,14 @@ static void assemble(simulation *sim) {
     sim->account.phases[PHASE_SOLVE].seconds -= seconds;
 }
 
-/* The norm of the residual at sim->step.dv; *reference: the norm to which tolerances are relative.
- */
+/* Returns the norm of the residual at sim->step.dv. *reference receives the norm to which
+ * tolerances are relative. */
 static double defect(simulation *sim, double *reference) {
     assemble(sim);
     return solver_defect(&sim->solver, &sim->system, &sim->constraints, sim->step.dv, reference);
 }
 
-/* (dv - last) . r */
+/* The slope along the last step: (dv - last) . r. */
 static double slope(const simulation *sim, const double (*r)[3]) {
     double sum = 0;
     for (int i = 0; i < sim->mesh->vertex_count; i++) {
@@ -92,9 +94,9 @@ static void cut_step(simulation *sim, double factor) {
     }
 }
 
-/* Backtracking line search. Shortens the step that leads from `last` to dv until the slope (step
- * . residual; `first` at `last`) at dv is at least -most_overshoot first, or most_cuts is
- * reached. Returns the norm of the residual at dv. */
+/* Backtracking line search. Shortens the step from `last` to dv until the slope (step . residual)
+ * at dv is at least -most_overshoot times `first`, the slope at `last`, or most_cuts is reached.
+ * Returns the norm of the residual at dv. */
 static double search(simulation *sim, double first, double *reference) {
     double size = defect(sim, reference);
     for (int cut = 0; cut < most_cuts && first > 0; cut++) {

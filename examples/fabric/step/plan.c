@@ -5,8 +5,8 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* The next time after `after` at which an effect, a pin, a collider or a motion begins or ends;
- * infinite if there is none. */
+/* Returns the time of the next event after `after`, or infinity if there is none. At an event wind,
+ * a pin, a pin's motion or a collider begins or ends, or a keyframe is reached. */
 static double next_event(const scene *s, double after) {
     double next = INFINITY;
 #define CONSIDER(time)                                                                             \

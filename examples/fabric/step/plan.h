@@ -9,18 +9,19 @@
 #include "effects/effect.h"
 #include "simulation.h"
 
-/** Fills the account's effects, from the scene and the mesh, at time 0. */
+/** Fills sim->account.effects from the scene and the mesh, for time 0. */
 void plan_make(simulation *sim);
 
 /** Updates the effects to the beginning of the next step. */
 void plan_follow(simulation *sim);
 
-/** Restores the effects of a step that began at `time`, the time of the last change that plan_make
+/** Restores the effects of a step that began at `time`: the time of the last change that plan_make
  *  or plan_follow found. */
 void plan_return_to(simulation *sim, double time);
 
-/** Stores in `time` [most] the times, ascending, at which something begins or ends. Returns their
- *  total number. */
+/** Stores in `time` [most], ascending, the first times of events. At an event wind, a pin, a pin's
+ *  motion or a collider begins or ends, or a keyframe is reached. Returns the total number of
+ *  events' times. */
 int plan_events(const scene *s, double *time, int most);
 
 #endif

@@ -15,7 +15,7 @@ int rest_lasts(simulation *sim) {
 }
 
 /* Does wind, a pin or a collider move the cloth now, or could it begin to do so without an event
- * (plan.h)? */
+ * (plan_events)? */
 static int is_driven(const simulation *sim) {
     const scene *s = sim->scene;
     const double time = simulation_time(sim);
@@ -31,7 +31,7 @@ static int is_driven(const simulation *sim) {
     return 0;
 }
 
-/* The square of the fastest vertex' speed; infinite if a speed is NaN. */
+/* Returns the square of the fastest vertex's speed, or infinity if a speed is NaN. */
 static double greatest_square(const simulation *sim) {
     double greatest = 0;
     const double(*v)[3] = (const double(*)[3])sim->state.v;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Sleeping cloth: if no vertex was faster than the scene's `sleep` (m/s) at the end of
- * STEPS_UNTIL_SLEEP steps in a row, the cloth stays unchanged, at no cost, until something begins
- * or ends (plan.h). It is awake while a collider or pin moves or wind blows.
+ * STEPS_UNTIL_SLEEP steps in a row, the cloth stays unchanged, at no cost, until the next event
+ * (plan_events). It is awake while a collider or pin moves or wind blows.
  */
 #ifndef FABRIC_REST_H
 #define FABRIC_REST_H
@@ -11,11 +11,11 @@
 
 enum { STEPS_UNTIL_SLEEP = 10 };
 
-/** Does the cloth sleep through the scene's next step? Wakes it if something begins or ends. */
+/** Does the cloth sleep through the scene's next step? Wakes it if there is an event. */
 int rest_lasts(simulation *sim);
 
-/** After a step of the scene: counts slow steps, and sets the velocities of cloth that falls asleep
- * to 0. */
+/** Called after a step of the scene: counts slow steps, and sets the velocities of cloth that falls
+ *  asleep to 0. */
 void rest_watch(simulation *sim);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The loop of figure 2 of the paper. A step that the monitor rejects is repeated with half the
- * length. Lengths are the scene's step divided by powers of two, so that every frame ends on the
- * scene's time grid (timing.h).
+ * The loop of figure 2 of the paper (docs/paper.md). A step that the monitor rejects is repeated
+ * with half the length. Lengths are the scene's step divided by powers of two, so that every frame
+ * ends on the scene's time grid (timing.h).
  */
 #include "simulation.h"
 
@@ -191,7 +191,7 @@ static int is_stopped(const simulation *sim) {
     return sim->barrier && sim->barrier->stop && *sim->barrier->stop;
 }
 
-/* Restores the state before the step. */
+/* Restores the state before the step. Returns 1, or -1 with a message in error[256]. */
 static int undo(simulation *sim, size_t size, char *error) {
     if (simulation_restore(sim, sim->barrier->kept, size) == 0)
         return 1;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The simulation of one cloth: the loop of figure 2 of the paper, with its counts and times. */
+/** The simulation of one cloth, with its counts and times: the loop of figure 2 of the paper
+ *  (docs/paper.md). */
 #ifndef FABRIC_SIMULATION_H
 #define FABRIC_SIMULATION_H
 
@@ -16,10 +17,10 @@ typedef struct phase {
 
 typedef struct effect_account {
     const char *name; /* "stretch", "shear", "bend", ... */
-    int active;       /* it acts at some time in the scene */
-    int on;           /* it acts now */
-    long elements;    /* number of triangles, hinges, ... that it processes per step */
-    long visited;     /* elements processed in all steps */
+    int active;       /* the effect acts at some time in the scene */
+    int on;           /* the effect acts now */
+    long elements;    /* number of triangles, hinges, ... that the effect processes per step */
+    long visited;     /* number of elements processed in all steps */
     double seconds;   /* wall */
 } effect_account;
 
@@ -28,14 +29,15 @@ typedef struct simulation simulation;
 /** A step that was repeated at half the length. */
 typedef struct rejection {
     const char *reason;  /* from monitor_verdict_name */
-    double time, h;      /* s, its beginning and its length */
+    double time, h;      /* s, the step's beginning and length */
     double value, limit; /* the value that exceeded a limit, and the limit */
 } rejection;
 
-/* The log stores this number of rejections, the first ones; all are counted. */
+/* The log stores the first rejections up to this number; all are counted. */
 enum { MOST_REJECTIONS = 1000 };
 
-/** Keeps references to mesh and scene, which must outlive it. NULL with a message in error[256]. */
+/** Keeps references to mesh and scene, which must outlive the simulation. Returns NULL with a
+ *  message in error[256] on failure. */
 simulation *simulation_new(const mesh *m, const scene *s, char *error);
 void simulation_free(simulation *sim);
 
@@ -50,35 +52,35 @@ void updateSystem(simulation *sim);
  * be run afterwards. */
 void simulation_make_room(simulation *sim);
 
-/** The memory that a direct solution would allocate, bytes; 0: not supported by this program.
- * *only: the scene requires direct solutions (otherwise they are a fall-back). */
+/** Returns the memory that a direct solution would allocate, bytes, or 0 if the program does not
+ *  support it. Sets *only if the scene requires direct solutions (otherwise they are a
+ *  fall-back). */
 double simulation_direct_bytes(const simulation *sim, int *only);
 
 /** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
  *  all. The bits are the same. */
 void simulation_choose_threads(simulation *sim);
-/** The current number of threads; 0: all. */
+/** Returns the current number of threads, or 0 if all are used. */
 int simulation_threads(const simulation *sim);
 
 /** From now on a step with `contact: barrier`, which may take long, checks *stop in each of its
  *  iterations. If *stop is not 0, simulation_step restores the state before the step and returns 1.
- *  Keeps the pointer. 0, or -1: out of memory. */
+ *  Keeps the pointer. Returns 0, or -1 if out of memory. */
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
-/** One step of the scene: the four phases, timed, repeated until the step's end is reached. 0; 1:
- *  stopped; or -1 with a message in error[256]: no state within the scene's limits could be
- * reached.
- */
+/** Makes one step of the scene: the four phases, timed, repeated until the step's end is reached.
+ *  Returns 0, or 1 if stopped, or -1 with a message in error[256] if no state within the scene's
+ *  limits could be reached. */
 int simulation_step(simulation *sim, char *error);
 
-/* The size of the state between two steps of the scene, as bytes in this machine's formats. A
- * simulation of the same mesh and scene continues from the state with the same bits. */
+/* Returns the size in bytes of the state between two steps of the scene, in this machine's formats.
+ * A simulation of the same mesh and scene continues from the state with the same bits. */
 size_t simulation_saved_size(simulation *sim);
-/** Writes the state to bytes [size], size being simulation_saved_size. Does not change the
+/** Writes the state to bytes [size]; size must be simulation_saved_size. Does not change the
  *  simulation. */
 void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
-/** Restores the state in a new simulation. 0, or -1: the bytes are invalid for it; then it must be
- *  freed. Does not change the bytes. */
+/** Restores the state in a new simulation. Returns 0, or -1 if the bytes are invalid for it; the
+ *  simulation must then be freed. Does not change the bytes. */
 int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
 
 /* Read access for callers; valid until simulation_free. */
@@ -88,17 +90,17 @@ double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
 const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-/** *count: the number of logged rejections, at most MOST_REJECTIONS. */
+/** Sets *count to the number of logged rejections, at most MOST_REJECTIONS. */
 const rejection *simulation_rejections(const simulation *sim, int *count);
 
 /** Counts of a run so far. */
 typedef struct run_counts {
-    long iterations;        /* of conjugate gradients, all steps */
-    long newton_iterations; /* linear systems solved for Newton's method */
-    long taken;             /* steps accepted, parts of halved ones included */
-    long rejected;          /* steps rejected */
-    long slept;             /* steps of the scene through which the cloth slept */
-    long matrix_blocks;     /* stored 3x3 blocks */
+    long iterations;        /* number of iterations of conjugate gradients in all steps */
+    long newton_iterations; /* number of linear systems solved for Newton's method */
+    long taken;             /* number of steps accepted, including the parts of halved ones */
+    long rejected;          /* number of steps rejected */
+    long slept;             /* number of the scene's steps through which the cloth slept */
+    long matrix_blocks;     /* number of stored 3x3 blocks */
 } run_counts;
 
 run_counts simulation_counts(const simulation *sim);
@@ -107,12 +109,13 @@ run_counts simulation_counts(const simulation *sim);
 typedef struct run_faults {
     /* Steps that the monitor accepted because halving would not help: */
     long not_solved, strain, penetration, passing;
-    double greatest_strain, strain_limit; /* of a triangle during the run; the scene's limit */
+    double greatest_strain, strain_limit; /* largest strain of a triangle during the run; the
+                                           * scene's limit */
     double deepest;                       /* m, greatest depth of a vertex in a collider */
     long start_inside;                    /* number of vertices that start in a collider */
     double start_depth;                   /* m, depth of the deepest of them */
     int watched;          /* the monitor is on; otherwise strain and depth are unknown */
-    long solved_directly; /* systems solved by the fall-back (solver_fallback.h) */
+    long solved_directly; /* number of systems solved by the fall-back (solver_fallback.h) */
 } run_faults;
 
 run_faults simulation_faults(const simulation *sim);

@@ -10,20 +10,20 @@
 #include "simulation_state.h"
 
 /**
- * Serialisation in both directions: one function for each part passes its values in order, which
- * counts, stores or loads them. Bytes are in the machine's formats.
+ * Serialisation in both directions: one function for each part of the state passes its values in
+ * order to archive_pass, which counts, stores or loads them. Bytes are in the machine's formats.
  */
 typedef enum archive_mode { ARCHIVE_COUNT, ARCHIVE_STORE, ARCHIVE_LOAD } archive_mode;
 
 typedef struct archive {
     archive_mode mode;
-    unsigned char *bytes; /* [size] written or read, by reference; NULL while counting */
+    unsigned char *bytes; /* [size] bytes to write or read, not owned; NULL while counting */
     size_t size;
     size_t used;
-    int failed; /* more was requested than is left, or a value is invalid */
+    int failed; /* true: more was requested than is left, or a value is invalid */
 } archive;
 
-/** Copies `size` bytes from or to `value`. If there are too few, sets `failed`, and from then on
+/** Copies `size` bytes from or to `value`. If `bytes` has too few left, sets `failed`; from then on
  *  copies nothing. */
 static void archive_pass(archive *a, void *value, size_t size) {
     if (a->mode != ARCHIVE_COUNT && (a->failed || size > a->size - a->used)) {
@@ -56,7 +56,7 @@ static void archive_doubles(archive *a, double *values, size_t count) {
     archive_pass(a, values, sizeof *values * count);
 }
 
-/** Fails if the loaded value is not from `low` to `high`. */
+/** Passes an int. Fails if the loaded value is not from `low` to `high`. */
 static void archive_int_within(archive *a, int *value, int low, int high) {
     archive_int(a, value);
     if (a->mode == ARCHIVE_LOAD && (*value < low || *value > high)) {
@@ -76,7 +76,8 @@ static void pass_motion(archive *a, simulation *sim) {
     archive_double(a, &sim->step.guess_h);
 }
 
-/* Angles are stored because they count whole rotations. The cache of hinge_energy_at is not. */
+/* Angles are stored because they count whole rotations. The cache of hinge_energy_at is not
+ * stored. */
 static void pass_angles(archive *a, simulation *sim) {
     archive_doubles(a, sim->cloth.hinges.angle, (size_t)sim->cloth.hinges.count);
     if (a->mode == ARCHIVE_LOAD)
@@ -102,7 +103,8 @@ static void pass_contact(archive *a, contact *touch, int colliders) {
     archive_double(a, &touch->slip_speed);
 }
 
-/* The contacts of the last accepted step: whether they stick, their forces, how long they pull. */
+/* Passes the contacts of the last accepted step: whether they stick, their forces, how long they
+ * pull. */
 static void pass_contacts(archive *a, collisions *c) {
     archive_long(a, &c->visits);
     archive_long(a, &c->friction_visits);
@@ -129,7 +131,7 @@ static void pass_monitor(archive *a, monitor *m) {
     archive_double(a, &m->deepest);
 }
 
-/* The current time and the length of the next step. */
+/* Passes the current time and the length of the next step. */
 static void pass_time(archive *a, simulation *sim) {
     archive_long(a, &sim->state.frame);
     archive_int_within(a, &sim->step.ticks, 1, TICKS_PER_STEP);
@@ -144,7 +146,8 @@ static void pass_time(archive *a, simulation *sim) {
     plan_return_to(sim, sim->in_force.plan_time);
 }
 
-/* The reason is one of the monitor's constant strings, so its number is stored. */
+/* Passes a rejection. Its reason is one of the monitor's constant strings, so the string's number
+ * is stored. */
 static void pass_rejection(archive *a, rejection *r) {
     int verdict = 0;
     while (a->mode == ARCHIVE_STORE && verdict + 1 < STEP_VERDICT_COUNT &&

@@ -98,7 +98,8 @@ static int build(simulation *sim, char *error) {
     solver_options options = {
         (preconditioner_kind)s->solution.preconditioner, (solver_precision)s->solution.precision,
         (solver_method)s->solution.method, integrator != INTEGRATOR_LINEAR_EULER};
-    if (by_barrier) /* its matrix' layout changes in each iteration: use a solver that needs none */
+    if (by_barrier) /* the barrier's matrix changes its layout in each iteration: use a solver
+                     * without a fixed one */
         options = (solver_options){.preconditioner = PRECONDITIONER_BLOCK_JACOBI};
     const int vertices = sim->mesh->vertex_count;
     sim->cloth.triangle_material =

@@ -17,44 +17,46 @@
 #include "team.h"
 
 /** The time within a step of the scene is counted in ticks, so that a step may be halved ten times.
- * A step in which something begins or ends is also cut at that time, which need not be a tick. */
+ *  A step with an event (plan_events) is also cut at the event's time, which need not be a whole
+ *  tick. */
 enum { TICKS_PER_STEP = 1024 };
 
 /** The current wind and events, as plan.c found them. */
 struct in_force {
     double wind[3];    /* m/s */
-    double next_event; /* s, the next time at which something begins or ends */
-    double plan_time;  /* s, the time for which plan.c found these */
+    double next_event; /* s, time of the next event (plan_events) */
+    double plan_time;  /* s, the time for which plan.c found them */
 };
 
 /** The state accepted last. */
 struct cloth_state {
     double (*x)[3]; /* [vertices] m */
     double (*v)[3]; /* [vertices] m/s */
-    long frame;     /* completed steps of the scene */
-    int ticks_done; /* ticks completed in the scene's current step */
-    double part;    /* s, completed beyond these; > 0 if the last step was cut at an event */
+    long frame;     /* number of completed steps of the scene */
+    int ticks_done; /* number of ticks completed in the scene's current step */
+    double part;    /* s, time completed beyond ticks_done; > 0 if the last step was cut at an
+                     * event */
 };
 
 /** The step being taken. */
 struct step {
-    int ticks;           /* its length unless it is cut, a power of two */
-    double h;            /* its length in s */
-    int end_ticks;       /* its end, in ticks since the beginning of the scene's step */
-    double end_part;     /* s, its end beyond end_ticks */
+    int ticks;           /* the step's length in ticks unless it is cut; a power of two */
+    double h;            /* the step's length in s */
+    int end_ticks;       /* the step's end, in ticks since the beginning of the scene's step */
+    double end_part;     /* s, time of the step's end beyond end_ticks */
     double stage_h;      /* s, length tau of the integrator's stage (integrator.h) */
     double (*guess)[3];  /* [vertices] m/s, dv of the last accepted step */
-    double guess_h;      /* that step's length, s */
+    double guess_h;      /* s, length of that step */
     double (*dv)[3];     /* [vertices] m/s */
     double (*x_next)[3]; /* [vertices] m */
     double (*v_next)[3]; /* [vertices] m/s */
-    double push_work;    /* J, as in monitored_step */
+    double push_work;    /* J, work of bodies, as in monitored_step */
     solver_status solver_status;
     monitor_verdict verdict;
     int accepted;      /* decided by updateSystem */
     int out_of_memory; /* an allocation failed: no further step is possible */
-    int easy_steps;    /* consecutive accepted steps at this length */
-    int slow_steps;    /* consecutive steps of the scene that ended slowly (rest.h) */
+    int easy_steps;    /* number of consecutive accepted steps at this length */
+    int slow_steps;    /* number of consecutive steps of the scene that ended slowly (rest.h) */
 };
 
 /** Counters and times of a run. */
@@ -80,7 +82,7 @@ struct simulation {
     solver solver;
     solver_fallback fallback;
     monitor monitor;
-    struct barrier_step *barrier; /* NULL: vertices are constrained */
+    struct barrier_step *barrier; /* NULL: contact by constraints (collision.h) */
     team team;                    /* chooses the number of threads */
     struct run_account account;
     arrays own; /* mass, state, the step's vectors */
@@ -94,7 +96,7 @@ static inline int simulation_rejections_logged(const simulation *sim) {
                                                          : MOST_REJECTIONS;
 }
 
-/** Allocates the log of rejections, if there is none. 0, or -1: out of memory. */
+/** Allocates the log of rejections, if there is none. Returns 0, or -1 if out of memory. */
 int simulation_log_rejections(simulation *sim);
 
 /** Does the effect act in the current step? */
@@ -110,8 +112,8 @@ static inline double ticks_to_seconds(const simulation *sim, int ticks) {
     return sim->scene->time.step * (double)ticks / (double)TICKS_PER_STEP;
 }
 
-/** The time after this number of ticks of the scene's current step, s. Has no rounding error at
- * whole steps if the step's length is exact. */
+/** Returns the time, s, after this number of ticks of the scene's current step. It has no rounding
+ *  error at whole steps if the step's length is exact. */
 static inline double time_at_tick(const simulation *sim, int ticks) {
     return sim->scene->time.step *
            ((double)sim->state.frame + (double)ticks / (double)TICKS_PER_STEP);

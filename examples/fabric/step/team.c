@@ -7,15 +7,16 @@
 #include <omp.h>
 #endif
 
-/* share: the fraction of the time that trials may cost; margin: limit of a trial's time relative to
- * the expected one; gain: the relative time below which a level replaces the chosen one. */
+/* share: the fraction of the time that trials may cost. margin: limit of a trial's time relative to
+ * the expected time. gain: a level replaces the chosen one if its relative time is below this. */
 static const double share = 0.02, margin = 1.5, gain = 0.97;
 /* Weight of a new round in the exponential moving averages. */
 static const double weight = 0.3;
-/* Rounds before the first trial: the first rounds also allocate memory and inspect loops. */
+/* Number of rounds before the first trial: the first rounds also allocate memory and inspect
+ * loops. */
 enum { SETTLED = 3 };
-/* Probe for busy cores: PROBES regions of PROBE_WORK operations, about 50 us each. Cores count as
- * busy if it takes more than `delay` times the expected time. */
+/* Probe for busy cores: PROBES parallel regions of PROBE_WORK operations, about 50 us each. Cores
+ * count as busy if the probe takes more than `delay` times the expected time. */
 enum { PROBES = 40, PROBE_WORK = 8000 };
 static const double delay = 1.5;
 
@@ -35,7 +36,7 @@ static int most_threads(void) {
 #endif
 }
 
-/* Does arithmetic that compilers cannot remove; returns the seconds it took. */
+/* Does arithmetic that compilers cannot remove. Returns the seconds that it took. */
 static double work(volatile double *sink) {
     const double start = clock_seconds();
     double x = 1;
@@ -51,7 +52,7 @@ static int is_busy(void) {
     volatile double sink;
     double least = work(&sink), start = 0, seconds = 0;
     for (int k = 0; k <= PROBES && seconds <= delay * (double)(2 * PROBES) * least; k++) {
-        if (k == 1) /* begins after the first region, which starts the threads */
+        if (k == 1) /* the clock starts after the first region, which starts the threads */
             start = clock_seconds();
 #pragma omp parallel
         {
@@ -84,7 +85,7 @@ static double predicted(const team_level *at, long iterations) {
     return at->others + at->iteration * (double)iterations;
 }
 
-/* The level of the next round: that of a trial, or the chosen one if no trial is due. */
+/* Returns the level of the next round: that of a trial, or the chosen one if no trial is due. */
 static int next_trial(const team *t) {
     const int other = t->level + (t->upward ? -1 : 1);
     const team_level *at = &t->at[t->level];

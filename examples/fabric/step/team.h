@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The number of threads of a round of the four phases: OpenMP's number, a half, a quarter, ... or
- * one, whichever is fastest. It depends on the mesh, the machine and other programs: with busy
- * neighbours, regions of microseconds wait milliseconds for a thread that has lost its core, and a
- * run with all threads takes many times as long as with one. The bits do not depend on the number
- * of threads, so it may change from round to round.
+ * one, whichever is fastest. Which one that is depends on the mesh, the machine and other programs:
+ * if these keep cores busy, parallel regions of microseconds wait milliseconds for a thread that
+ * has lost its core, and a run with all threads takes many times as long as with one. The bits do
+ * not depend on the number of threads, so it may change from round to round.
  *
  * For each number of threads, the mean times of a solver iteration and of all else in a round are
  * recorded. Now and then a round is a trial of the next greater or smaller number, which is chosen
  * if it is faster. A trial is abandoned between two phases once it has taken 1.5 times the expected
  * time, and all trials together may cost a fiftieth of the time (plus one trial).
  *
- * One team per process, as OpenMP's number of threads belongs to the process. Without OpenMP none
- * of this has an effect.
+ * A process has only one team, because OpenMP's number of threads belongs to the process. Without
+ * OpenMP none of this has an effect.
  */
 #ifndef FABRIC_TEAM_H
 #define FABRIC_TEAM_H
@@ -28,15 +28,16 @@ typedef struct team_level {
 } team_level;
 
 typedef struct team {
-    int most;   /* threads of level 0; level l has most >> l threads. 0: nothing to choose */
-    int levels; /* the last one has one thread */
+    int most;   /* number of threads of level 0; level l has most >> l threads. 0: nothing to
+                 * choose */
+    int levels; /* number of levels; the last level has one thread */
     int level;  /* the chosen level */
-    int trial;  /* the current round's level; equal to `level` if it is not a trial */
+    int trial;  /* level of the current round; equal to `level` unless the round is a trial */
     int upward; /* the next trial uses more threads */
     int ended;  /* the current trial took too long: the round continues at the chosen level */
     team_level at[TEAM_LEVELS];
     double begun;    /* s, time at which the current round began */
-    double expected; /* s that it should take */
+    double expected; /* s, expected time of the current round */
     double credit;   /* s that trials may lose */
     long last_iterations;
 } team;
@@ -44,21 +45,21 @@ typedef struct team {
 /** The measurements of a round. */
 typedef struct team_round {
     double seconds, solve_seconds;
-    long iterations; /* of the solver */
+    long iterations; /* number of iterations of the solver */
 } team_round;
 
 /** Begins with `most` threads, or with one if cores are busy. */
 void team_start(team *t, int most, int busy);
-/** The same with OpenMP's current number of threads, after a probe for busy cores. */
+/** Like team_start, with OpenMP's current number of threads, after a probe for busy cores. */
 void team_choose(team *t);
 /** Begins a round: sets the number of threads of the calling thread's parallel regions. */
 void team_begin(team *t, double now);
-/** Between two phases: ends a trial that takes too long. */
+/** Ends a trial that takes too long. Called between two phases. */
 void team_check(team *t, double now);
 /** Ends the round, and restores OpenMP's number of threads. */
 void team_end(team *t, const team_round *round);
 
-/** The chosen number of threads; 0: OpenMP's. */
+/** Returns the chosen number of threads, or 0 if OpenMP's number is used. */
 int team_threads(const team *t);
 
 #endif

@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-/* The next multiple of the step's length in ticks, even if a cut ended off the grid. */
+/* Returns the next multiple of the step's length in ticks, even if a cut step ended between
+ * multiples. */
 static int next_on_grid(const simulation *sim) {
     return (sim->state.ticks_done / sim->step.ticks + 1) * sim->step.ticks;
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Directions in which a vertex' change of velocity is given (prescribed), and its values there:
- * Baraff and Witkin 1998, section 5. For each vertex dv = S y + z with S = I - sum e e' over
- * orthonormal given directions e, and z the given change of velocity along them.
+ * Prescribed changes of velocity (Baraff and Witkin 1998, section 5). A vertex's change of velocity
+ * in a step is dv = S y + z. S = I - sum e e' projects the unknown y onto the free directions; the
+ * e are the orthonormal directions in which the change is given, and z is the given change along
+ * them.
  */
 #ifndef FABRIC_CONSTRAINT_H
 #define FABRIC_CONSTRAINT_H
@@ -17,22 +18,22 @@ typedef struct vertex_constraint {
 /** S and z are stored only for vertices that have been constrained; others have the identity and 0.
  */
 typedef struct constraints {
-    int count;               /* vertices */
-    unsigned char *given;    /* [count] directions given: 0 (free) to 3 (all) */
-    int *place;              /* [count] index in `list`; -1: none. NULL: no vertex has one */
+    int count;               /* number of vertices */
+    unsigned char *given;    /* [count] number of given directions: 0 (free) to 3 (all) */
+    int *place;              /* [count] index in `list`, or -1; NULL: no vertex has an entry */
     vertex_constraint *list; /* [used] */
     int used, room;
 } constraints;
 
-/** Makes all vertices free. 0, or -1: out of memory. */
+/** Makes all vertices free. Returns 0, or -1 if out of memory. */
 int constraints_init(constraints *c, int count);
 void constraints_free(constraints *c);
 
-/** Adds vertex i to `list`, if it is not in it. 0, or -1: out of memory. To be called by one
- * thread, before constraint_give. */
+/** Adds vertex i to `list`, if it is not in it. Returns 0, or -1 if out of memory. To be called by
+ *  one thread, before constraint_give. */
 int constraint_place(constraints *c, int i);
 
-/** Frees vertex i, which stays in `list`. */
+/** Makes vertex i free; it stays in `list`. */
 void constraint_release(constraints *c, int i);
 
 /** The entry of vertex i, which must be in `list`. */
@@ -52,7 +53,7 @@ static inline const double *constraint_change(const constraints *c, int i) {
     return c->given[i] > 0 ? constraint_at(c, i)->z : none;
 }
 
-/** r = S r of vertex i. */
+/** Replaces r by S r, with the S of vertex i. */
 static inline void constraint_filter(const constraints *c, int i, double r[3]) {
     if (c->given[i] == 0)
         return;

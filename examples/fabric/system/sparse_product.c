@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The product with a symmetric matrix, half of which is stored. A block a at (i, j) is used twice:
- * y_i += a x_j and y_j += a' x_i. Reading the matrix dominates the time, and half storage halves
- * it, at the price of the second, irregular update.
+ * The product with a symmetric matrix that is stored by half. Each stored block a, at (i, j), is
+ * used twice: y_i += a x_j and y_j += a' x_i. Reading the matrix dominates the time, and half
+ * storage halves it, at the price of the second, irregular update.
  */
 #include "system.h"
 

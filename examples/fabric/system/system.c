@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Sorts the first `count` of `column` and drops repetitions; returns how many are left. */
+/* Sorts the first `count` of `column` and drops repetitions. Returns how many are left. */
 static int sort_unique(int *column, int count) {
     int kept = 0;
     for (int k = 0; k < count; k++) {
@@ -22,9 +22,8 @@ static int sort_unique(int *column, int count) {
     return kept;
 }
 
-/* Adds every pair (smaller, larger) of vertices that share an element, without diagonals, to the
- * row of the smaller: counts in `next` if column is NULL; otherwise stores at `next` and advances
- * it. */
+/* Adds every pair (smaller, larger) of vertices that share an element to the row of the smaller
+ * one. If column is NULL, only counts in `next`; otherwise stores at `next` and advances it. */
 static void visit_pairs(int list_count, const element_list *lists, int *next, int *column) {
     for (int l = 0; l < list_count; l++)
         for (int e = 0; e < lists[l].count; e++) {
@@ -40,9 +39,8 @@ static void visit_pairs(int list_count, const element_list *lists, int *next, in
         }
 }
 
-/* Computes *column and row_start: lists the columns of each row with repetitions, then removes
- * these.
- */
+/* Computes *column and row_start: lists the columns of each row with repetitions, then removes the
+ * repetitions. */
 static int find_columns(int rows, int list_count, const element_list *lists, int *row_start,
                         int **column) {
     int *first = calloc((size_t)rows + 1, sizeof *first);
@@ -128,8 +126,8 @@ void system_reset(linear_system *s, const double *mass, const double gravity[3],
     }
 }
 
-/* The index of block (row, column), row <= column; the two vertices share an element. Rows are
- * short (4 blocks, 7 with bending, on average), so that a linear search beats bisection. */
+/* Returns the index of block (row, column), row <= column; the two vertices must share an element.
+ * Rows are short (on average 4 blocks, 7 with bending), so a linear search beats bisection. */
 static int block_find(const block_matrix *A, int row, int column) {
     int block = A->row_start[row];
     while (A->column[block] < column)

@@ -5,18 +5,19 @@
  *     A = M - h df/dv - h^2 df/dx   kg
  *     b = h (f + h df/dx v)         kg m/s
  *
- * (equation 4 of the paper; Baraff and Witkin 1998, equation 6). A is symmetric, so only its
- * diagonal and the blocks above it are stored.
+ * with the vertices' masses M, the step h (s), forces f (N), positions x (m), velocities v (m/s)
+ * and the unknown change of velocity dv (equation 4 of the paper, docs/paper.md; Baraff and Witkin
+ * 1998, equation 6). A is symmetric, so only its diagonal and the blocks above it are stored.
  */
 #ifndef FABRIC_SYSTEM_H
 #define FABRIC_SYSTEM_H
 
-/** Compressed block rows. Within a row columns ascend; the half of a symmetric matrix stores
- *  columns >= row, so that a row's first block is its diagonal. */
+/** Compressed block rows (CSR with 3x3 blocks). Within a row columns ascend. A symmetric matrix
+ *  stores only columns >= row, so a row's first block is its diagonal. */
 typedef struct block_matrix {
     int row_count;
     int block_count;
-    int *row_start;        /* [row_count + 1] a row's first block */
+    int *row_start;        /* [row_count + 1] index of each row's first block */
     int *column;           /* [block_count] */
     double (*value)[3][3]; /* [block_count] */
 } block_matrix;
@@ -34,12 +35,12 @@ typedef struct element_list {
 } element_list;
 
 /** Lays out A for the elements in `lists`; values and b are unset until system_reset. Elements that
- *  exert no force should be left out, to save memory and time. 0, or -1: out of memory (then s is
- *  empty). */
+ *  exert no force should be left out, to save memory and time. Returns 0, or -1 if out of memory
+ *  (then s is empty). */
 int system_init(linear_system *s, int vertex_count, int list_count, const element_list *lists);
 void system_free(linear_system *s);
 
-/** A = M, b = h m g. mass [vertices] kg, gravity m/s^2, h s. */
+/** Sets A = M and b = h m g: mass m [vertices] in kg, gravity g in m/s^2, step h in s. */
 void system_reset(linear_system *s, const double *mass, const double gravity[3], double h);
 
 /** Finds the indices in A of the blocks of each element's pairs of vertices, which ascend within an

@@ -13,7 +13,7 @@ int view_read_request(const command *self, int argc, char **argv, view_request *
     const int status = options_read(self, argc, argv, r, take_word);
     if (status != OPTIONS_READ)
         return status;
-    /* Even numbers: halving a picture and films require them. */
+    /* Makes both even, because halving a picture and films require it. */
     r->width = r->width / 2 * 2;
     r->height = r->height / 2 * 2;
     return r->folder ? OPTIONS_READ : options_complain(self, "which folder? %s", self->synopsis);

@@ -7,11 +7,11 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/** Start with {file, is_base64, {0}, 0}. */
+/** Initialise it with {file, is_base64, {0}, 0}. */
 typedef struct byte_sink {
     FILE *file;
     int is_base64;
-    unsigned char pending[3]; /* of base64, until there are three */
+    unsigned char pending[3]; /* bytes not yet written as base64, until there are three */
     int count;
 } byte_sink;
 
@@ -20,7 +20,7 @@ void byte_sink_word(byte_sink *to, uint32_t word);
 /** Writes a number as a float of 4 bytes. */
 void byte_sink_float(byte_sink *to, double number);
 
-/** To be called after the last byte: completes base64. */
+/** Completes base64; must be called after the last byte. */
 void byte_sink_end(byte_sink *to);
 
 #endif

@@ -22,15 +22,15 @@ static void cross(const double a[3], const double b[3], double c[3]) {
         c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/** Coordinates along the camera's axes. */
+/** Computes the point's coordinates along the camera's axes. */
 static void along(const camera *c, const double point[3], double out[3]) {
     out[0] = dot(c->right, point);
     out[1] = dot(c->up, point);
     out[2] = dot(c->back, point);
 }
 
-/** The least distance along `back` at which the picture, centred at `middle`, contains all points.
- */
+/** Returns the least distance along `back` at which the picture, centred at `middle`, contains all
+ *  points. */
 static double distance_for(const camera *c, const double middle[2], double (*points)[3],
                            long count) {
     double distance = -1e300;

@@ -8,14 +8,14 @@
 typedef struct camera {
     double eye[3]; /* m */
     double right[3], up[3], back[3];
-    double slope[2]; /* half the picture's width and height at distance 1 */
-    double depth[2]; /* m, from the eye to the nearest and the farthest framed point */
+    double slope[2]; /* half the width and half the height of the picture at distance 1 */
+    double depth[2]; /* m, distances from the eye to the nearest and the farthest framed point */
 } camera;
 
 /**
- * Frames the `count` points (at least one) with a margin, with z upwards, for pictures of
- * width / height = aspect. back: the direction from the points to the eye, of any length, not
- * vertical.
+ * Chooses a camera, with z upwards, whose pictures of width / height = aspect contain the `count`
+ * points (at least one) with a margin. `back` is the direction from the points to the eye, of any
+ * length, not vertical.
  */
 camera camera_frame(const double back[3], double aspect, double (*points)[3], long count);
 

@@ -7,12 +7,13 @@
 
 /** Data common to all frames, and a function that reads one. */
 typedef struct cloth_frames {
-    int count;          /* frames */
+    int count;          /* number of frames */
     const double *time; /* [count] s */
     int vertex_count;
     int triangle_count;
     const int *triangle; /* [3 * triangle_count] */
-    /** Reads frame 0 <= number < count, to be freed with state_free. 0, or -1 after a message. */
+    /** Reads frame `number` (0 <= number < count), which the caller frees by state_free. Returns 0,
+     *  or -1 after a message. */
     int (*read)(void *context, int number, state *s);
     void *context;
 } cloth_frames;

@@ -11,7 +11,7 @@
 static const option export_options[] = {VIEW_OUTPUT("FOLDER", "output folder (default DIR/vtu)"),
                                         {.name = NULL}};
 
-/** Writes a file for each frame, NNNN.vtu. */
+/** Writes a file NNNN.vtu for each frame, and stores the files' names. */
 static int write_frames(const run_frames *run, const char *to, char (*name)[32]) {
     char path[FILE_PATH_SIZE];
     for (int k = 0; k < run->of.count; k++) {
@@ -27,7 +27,7 @@ static int write_frames(const run_frames *run, const char *to, char (*name)[32])
     return 0;
 }
 
-/** Writes the frames and their collection, cloth.pvd. */
+/** Writes the frames, and cloth.pvd, which lists them. */
 static int write_run(const run_frames *run, const char *to) {
     char path[FILE_PATH_SIZE];
     char(*name)[32] = malloc((size_t)run->of.count * sizeof *name);

@@ -18,7 +18,7 @@ struct film {
     frames frames;
     int width, height;
     scene of;
-    float *material; /* [2 * vertices] m, from the first frame as if it were flat */
+    float *material; /* [2 * vertices] m, computed from the first frame as if it were flat */
     camera from;
     stage *drawing;
 };
@@ -52,7 +52,7 @@ static int find_material(film *f) {
     return 0;
 }
 
-/** The radius of a ball around the body's origin that contains the body, m. */
+/** Returns the radius, m, of a ball around the body's origin that contains the body. */
 static double reach_of(const collider *c) {
     switch (c->kind) {
     case COLLIDER_BOX:
@@ -68,7 +68,7 @@ static double reach_of(const collider *c) {
     return c->size[0];
 }
 
-/** Stores the corners of boxes around the colliders at `time`; returns their number. */
+/** Stores the corners of boxes around the colliders at `time`. Returns the number of corners. */
 static long collider_points(const film *f, double time, double (*points)[3]) {
     long count = 0;
     for (int k = 0; k < f->of.collider_count; k++) {
@@ -129,7 +129,7 @@ static int prepare(film *f, const char *folder) {
     if (files_join(path, folder, "scene.yaml") != 0 || scene_read(&f->of, path) != 0 ||
         frames_open(&f->frames, folder) != 0 || find_material(f) != 0 || place_camera(f) != 0)
         return -1;
-    /* Drawn at twice the size, then halved: anti-aliasing. */
+    /* Pictures are drawn at twice the size and then halved, for anti-aliasing. */
     f->drawing = stage_new(&f->of, 2 * f->width, 2 * f->height);
     return f->drawing ? 0 : -1;
 }

@@ -8,17 +8,18 @@
 
 typedef struct frames {
     char folder[FILE_PATH_SIZE]; /* DIR/frames */
-    long *steps;                 /* [count] numbers of the frames, ascending */
+    long *steps;                 /* [count] the steps of the frames, ascending */
     int count;
     state first;
 } frames;
 
-/** Finds the frames of the run in `folder` and reads the first. 0, or -1 after a message;
- *  frames_close in either case. */
+/** Finds the frames of the run in `folder` and reads the first. Returns 0, or -1 after a message;
+ *  call frames_close in either case. */
 int frames_open(frames *f, const char *folder);
 void frames_close(frames *f);
 
-/** Reads frame 0 <= number < count; state_free frees it. 0, or -1 after a message. */
+/** Reads frame `number` (0 <= number < count); state_free frees it. Returns 0, or -1 after a
+ *  message. */
 int frames_read(const frames *f, int number, state *s);
 
 #endif

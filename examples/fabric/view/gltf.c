@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The format: Khronos Group 2021, "glTF 2.0 Specification". */
+/* Writes the format of Khronos Group 2021, "glTF 2.0 Specification". */
 #include "view/gltf.h"
 
 #include <math.h>
@@ -23,8 +23,8 @@ static void stretch_bounds(bounds *b, const double p[3]) {
     }
 }
 
-/** Vertex v of a frame as in the file: a position in the first frame, in others the displacement
- * from it. */
+/** Computes vertex v of a frame as the file stores it: a position in the first frame, in others the
+ *  displacement from it. */
 static void vertex_of(const gltf *g, const state *s, int number, int v, double turned[3]) {
     double p[3];
     for (int a = 0; a < 3; a++)
@@ -218,14 +218,14 @@ static int write_file(const gltf *g, int binary, const char *path) {
     return status;
 }
 
-/** 0, -1 out of memory, -2 after a message. */
+/** Collects the data before writing. Returns 0, -1 if out of memory, or -2 after a message. */
 static int prepare(gltf *g, const scene *of, const char *path) {
     uint64_t size[PARTS];
     double middle[3], reach;
     g->frame = calloc((size_t)g->frames->count + 1, sizeof *g->frame);
     if (!g->frame)
         return -1;
-    /* A check before all frames are read; it leaves out colliders, which are small. */
+    /* Checks the size before all frames are read, without colliders, which are small. */
     gltf_measure(g, size);
     for (int part = 0; part < PARTS; part++)
         g->bytes += size[part];

@@ -11,12 +11,12 @@
 #include "scene/scene.h"
 #include "view/cloth_frames.h"
 
-/* Limits of common readers: of bytes, and of morph targets, which some store in the texture layers
- * of a graphics card. */
+/* Limits of common readers: number of morph targets, which some store in the texture layers of a
+ * graphics card, and megabytes. */
 enum { GLTF_MOST_FRAMES = 2000, GLTF_MOST_MEGABYTES = 1000 };
 
-/** Writes a temporary file and renames it to `path`; `binary`: as GLB, else as JSON with the
- *  numbers in base64. 0, or -1 after a message on standard error. */
+/** Writes a temporary file and renames it to `path`. If `binary`, the format is GLB, else JSON with
+ *  the numbers in base64. Returns 0, or -1 after a message on standard error. */
 int gltf_write(const cloth_frames *frames, const scene *of, int binary, const char *path);
 
 #endif

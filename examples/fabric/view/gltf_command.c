@@ -14,7 +14,8 @@ static const option gltf_options[] = {
     VIEW_OUTPUT("FILE", "output file: .glb is binary, .gltf text (default DIR/cloth.glb)"),
     {.name = NULL}};
 
-/** The format that the file's extension requests: 1: binary; 0: text; -1 after a message. */
+/** Returns the format that the file's extension requests: 1 for binary, 0 for text, or -1 after a
+ *  message. */
 static int is_binary(const char *path) {
     const char *dot = strrchr(path, '.');
     if (dot && strcasecmp(dot, ".glb") == 0)

@@ -7,7 +7,7 @@
 
 static const char *const collider_names[] = {"plane", "box", "sphere", "cylinder", "mesh"};
 
-/** The index of a part's bufferView; parts without bytes have none. */
+/** Returns the index of a part's bufferView. Parts without bytes have none. */
 static int view_of(const uint64_t size[PARTS], int part) {
     int view = 0;
     for (int k = 0; k < part; k++)
@@ -38,7 +38,8 @@ static int turn_accessor(const gltf *g, int number) {
 typedef enum accessor_kind { POINTS, INDICES, NUMBERS, QUATERNIONS } accessor_kind;
 static const char *const accessor_types[] = {"VEC3", "SCALAR", "SCALAR", "VEC4"};
 
-/** Writes an accessor. box: its bounds (of numbers: in the first coordinate); NULL: none. */
+/** Writes an accessor. `box` has its bounds (those of numbers in the first coordinate), or is
+ *  NULL. */
 static void put_accessor(FILE *json, accessor_kind kind, int view, uint64_t offset, long count,
                          const bounds *box) {
     fprintf(json, "{\"bufferView\":%d,\"byteOffset\":%llu,\"componentType\":%d,\"count\":%ld,",
@@ -113,7 +114,8 @@ static void put_views(const uint64_t size[PARTS], FILE *json) {
             continue;
         fprintf(json, "%s\n{\"buffer\":0,\"byteOffset\":%llu,\"byteLength\":%llu", comma,
                 (unsigned long long)offset, (unsigned long long)size[part]);
-        /* Targets: ELEMENT_ARRAY_BUFFER, ARRAY_BUFFER. A view of vertices must have a stride. */
+        /* The targets are ELEMENT_ARRAY_BUFFER and ARRAY_BUFFER. A view of vertices must have a
+         * stride. */
         if (is_mesh)
             fputs(is_corners ? ",\"target\":34963" : ",\"byteStride\":12,\"target\":34962", json);
         fputc('}', json);

@@ -27,13 +27,14 @@ typedef struct solid {
 typedef struct gltf {
     const cloth_frames *frames;
     state first;
-    bounds *frame; /* [frames->count] of the first frame, then of the differences from it */
+    bounds *frame; /* [frames->count] bounds of the first frame, then of the other frames'
+                    * differences from it */
     int solid_count;
     solid *solids;
     uint64_t bytes; /* number of bytes of the buffer */
 } gltf;
 
-/* The buffer's parts, each a bufferView, in the file's order. */
+/* The buffer's parts in the file's order. Each part is a bufferView. */
 enum { CLOTH, TARGETS, CORNERS, TIMES, WEIGHTS, SOLIDS, SOLID_CORNERS, PATHS, TURNS, PARTS };
 
 /** Converts coordinates from z up to y up. */
@@ -43,14 +44,14 @@ static inline void gltf_turn(const double p[3], double turned[3]) {
     turned[2] = 0 - p[1]; /* never -0 */
 }
 
-/** The collider's position at a time, in the file's axes. */
+/** Computes the collider's position at a time, in the file's axes. */
 static inline void gltf_place(const collider *c, double time, double turned[3]) {
     body_pose pose;
     motion_pose(c, time, &pose);
     gltf_turn(pose.origin, turned);
 }
 
-/** The collider's rotation at a time: a unit quaternion (x, y, z, w). */
+/** Computes the collider's rotation at a time as a unit quaternion (x, y, z, w). */
 static inline void gltf_rotation(const collider *c, double time, double quaternion[4]) {
     const double half = motion_angle(c, time) / 2;
     double axis[3];
@@ -64,7 +65,7 @@ static inline int gltf_is_moving(const collider *c) {
     return vector_dot(c->velocity, c->velocity) > 0 || motion_has_keys(c);
 }
 
-/** How many of the first `count` solids move. */
+/** The number of moving solids among the first `count`. */
 static inline int gltf_moving_before(const gltf *g, int count) {
     int moving = 0;
     for (int k = 0; k < count; k++)
@@ -79,10 +80,11 @@ static inline int gltf_rotating_before(const gltf *g, int count) {
     return turning;
 }
 
-/** Computes the bytes of each part. */
+/** Computes the number of bytes of each part. */
 void gltf_measure(const gltf *g, uint64_t size[PARTS]);
 
-/** The JSON without its end: it ends with the buffer's length. To be freed; NULL: out of memory. */
+/** Returns the JSON up to the buffer's length, or NULL if out of memory. The caller writes the end
+ *  and frees the text. */
 char *gltf_json(const gltf *g, size_t *length);
 
 #endif

@@ -6,15 +6,16 @@
 
 #include "base/vector.h"
 
-/** A patch's corners, and the control points of its cubic: along[i][j] is on side i-j, next to i.
- */
+/** A patch's corners, and the control points of its cubic: along[i][j] is on the side from corner i
+ *  to corner j, next to corner i. */
 typedef struct cubic {
     const double *corner[3], *normal[3];
     const float *material[3];
     double along[3][3][3], middle[3];
 } cubic;
 
-/* The sum of the normals of the triangles around each vertex, weighted by their areas. */
+/* Computes unit normals: the sum of the normals of the triangles around each vertex, weighted by
+ * their areas. */
 static void sum_normals(int vertex_count, int triangle_count, const double *position,
                         const int *triangle, double *normal) {
     memset(normal, 0, 3 * (size_t)vertex_count * sizeof *normal);
@@ -84,8 +85,8 @@ static void put_triangle(patches *p, int a, int b, int c) {
     corner[2] = c;
 }
 
-/* Appends the patch's points, in rows from corner 0 to the opposite side; row r has r + 1 points.
- */
+/* Appends the patch's points, in rows from corner 0 to the opposite side, and its triangles. Row r
+ * has r + 1 points. */
 static void put_patch(const cubic *c, int parts, patches *p) {
     const int first = p->vertex_count;
     for (int r = 0; r <= parts; r++)

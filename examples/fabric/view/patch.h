@@ -7,7 +7,7 @@
 #ifndef FABRIC_VIEW_PATCH_H
 #define FABRIC_VIEW_PATCH_H
 
-/** Small triangles; patches share no vertices. */
+/** The small triangles of all patches; patches share no vertices. */
 typedef struct patches {
     int vertex_count, triangle_count;
     double *position; /* [3 * vertex_count] m */
@@ -17,8 +17,8 @@ typedef struct patches {
 } patches;
 
 /** Replaces each triangle [3 * triangle_count] of corners position [3 * vertex_count] m and
- * material [2 * vertex_count] m by `parts` squared small ones. 0, or -1: out of memory.
- * patches_free in either case. */
+ *  material [2 * vertex_count] m by parts * parts small ones. Returns 0, or -1 if out of memory;
+ *  call patches_free in either case. */
 int patches_make(patches *p, int vertex_count, int triangle_count, const double *position,
                  const float *material, const int *triangle, int parts);
 void patches_free(patches *p);

@@ -50,7 +50,7 @@ void picture_paste(picture *onto, const picture *from, int x, int y) {
         }
 }
 
-/** Seven rows of five dots, the top one first, the left dot the highest bit. */
+/** Seven rows of five dots from top to bottom; the left dot is the highest bit. */
 typedef struct glyph {
     char character;
     unsigned char row[7];

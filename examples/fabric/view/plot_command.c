@@ -15,8 +15,8 @@ static const char *const tables[] = {"dt",     "cg",         "newton",         "
                                      "mesh",   "robustness", "preconditioner", "precision",
                                      "solver", "sum",        "horizon"};
 
-/** Runs gnuplot in `folder`; scripts find their folder in the variable `plots`. Returns the exit
- *  status; 127: not started. */
+/** Runs gnuplot in `folder`. Scripts find their own folder in gnuplot's variable `plots`. Returns
+ *  gnuplot's exit status, 127 if it cannot be started, or -1 if it does not exit normally. */
 static int run_gnuplot(const char *folder, const char *plots, const char *name) {
     char definition[FILE_PATH_SIZE + 16], common[FILE_PATH_SIZE + 32], script[FILE_PATH_SIZE + 32];
     snprintf(definition, sizeof definition, "plots = '%s/'", plots);
@@ -36,7 +36,8 @@ static int run_gnuplot(const char *folder, const char *plots, const char *name) 
     return WEXITSTATUS(status);
 }
 
-/** Draws the tables that exist. 0, or -1 after a message. */
+/** Draws the tables that exist. Returns 0, or -1 (after a message unless the program's folder is
+ *  unknown). */
 static int draw(const char *folder) {
     char plots[FILE_PATH_SIZE], name[64], path[FILE_PATH_SIZE];
     int drawn = 0;

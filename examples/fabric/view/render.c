@@ -11,7 +11,7 @@ enum { SHEET_COLUMNS = 4, SHEET_ROWS = 2, SHEET_FRAMES = SHEET_COLUMNS * SHEET_R
 
 static const option render_options[] = {VIEW_WIDTH, VIEW_HEIGHT, {.name = NULL}};
 
-/** The drawing of a run's folder. */
+/** State while the frames of a run's folder are drawn. */
 typedef struct job {
     const char *folder;
     int width, height;
@@ -41,8 +41,8 @@ static void close_job(job *j) {
     picture_free(&j->sheet);
 }
 
-/** Pastes the frame to its places on the contact sheet of eight evenly spaced frames. With fewer
- *  frames, places stay free. */
+/** Pastes the frame to its places on the contact sheet, which shows eight evenly spaced frames.
+ *  With fewer frames, places stay empty. */
 static int put_on_sheet(job *j, int number, const picture *frame) {
     const int last = j->frames->count - 1;
     picture small;

@@ -10,14 +10,15 @@
 typedef struct run_frames {
     frames files;
     double *time;    /* [files.count] s */
-    cloth_frames of; /* points to the two above, so a run_frames must not be copied */
+    cloth_frames of; /* points to `files` and `time`, so a run_frames must not be copied */
 } run_frames;
 
 /** Opens the run in `folder` and reads all of its frames once, so that a damaged one is found
- *  before any output is written. 0, or -1 after a message; run_frames_finish in either case. */
+ *  before any output is written. Returns 0, or -1 after a message; call run_frames_finish in either
+ *  case. */
 int run_frames_open(run_frames *r, const char *folder);
 
-/** Closes the run after an export to `to`, which it reports if `status` is 0. Returns status. */
+/** Closes the run after an export to `to`, which is reported if `status` is 0. Returns `status`. */
 int run_frames_finish(run_frames *r, int status, const char *to);
 
 #endif

@@ -35,8 +35,9 @@ void shadow_free(shadow *s) {
     *s = (shadow){0};
 }
 
-/* Sets a view along the light that contains everything within the radius. In depth it extends to
- * four times the radius in both directions, so that objects there are not clipped. */
+/* Sets an orthographic view along the light that contains everything within `radius` of `center`.
+ * In depth it extends to four times the radius in both directions, so that objects there are not
+ * clipped. */
 static void set_light_view(const float light[3], const double center[3], double radius) {
     double back[3] = {(double)light[0], (double)light[1], (double)light[2]}, right[3], up[3];
     double view[16] = {0};
@@ -110,7 +111,8 @@ void shadow_apply(const shadow *s) {
     glMatrixMode(GL_TEXTURE);
     glLoadMatrixd(s->from_world);
     glMatrixMode(GL_MODELVIEW);
-    for (int a = 0; a < 4; a++) { /* texture coordinates: the position in the world */
+    for (int a = 0; a < 4; a++) { /* makes the texture coordinates equal to the position in the
+                                   * world */
         GLdouble axis[4] = {0};
         axis[a] = 1;
         glTexGeni(coordinate[a], GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);

@@ -14,12 +14,12 @@ typedef struct shadow {
                             * coordinates */
 } shadow;
 
-/** 0, or -1: out of memory. Call shadow_free in the same context. */
+/** Makes a shadow map. Returns 0, or -1 if out of memory. Call shadow_free in the same context. */
 int shadow_new(shadow *s);
 void shadow_free(shadow *s);
 
 /** Objects drawn between this call and shadow_end cast shadows within `radius` m of `center`;
- * `light` [3] points to the light. 0, or -1: the map cannot be drawn. */
+ *  `light` [3] points to the light. Returns 0, or -1 if the map cannot be drawn. */
 int shadow_begin(shadow *s, OSMesaContext context, const float light[3], const double center[3],
                  double radius);
 void shadow_end(shadow *s);

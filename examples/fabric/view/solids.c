@@ -10,12 +10,12 @@
 
 enum { AROUND = 96, DOWN = 48 };
 static const double PI = 3.14159265358979323846;
-static const double TILE = 0.25; /* m */
+static const double TILE = 0.25; /* m, side of a tile */
 
-/** Two unit vectors at right angles to the axis and to each other. */
+/** Computes two unit vectors at right angles to the axis and to each other. */
 static void axes_across(const double axis[3], double first[3], double second[3]) {
     const int other =
-        fabs(axis[0]) < 0.9 ? 0 : 1; /* a coordinate axis that is not parallel to it */
+        fabs(axis[0]) < 0.9 ? 0 : 1; /* a coordinate axis that is not parallel to `axis` */
     double length = 0.0;
     for (int k = 0; k < 3; k++) {
         first[k] = (k == other ? 1.0 : 0.0) - axis[other] * axis[k];
@@ -69,7 +69,8 @@ static void draw_sphere(const collider *c, const double center[3]) {
     }
 }
 
-/** A point of the cylinder's edge at the end `end` (-1 or 1), and the normal there. */
+/** Computes a point of the circle at the cylinder's end `end` (-1 or 1), and the normal of the
+ *  curved side there. */
 static void edge_point(const collider *c, const double center[3], int around, double end,
                        double point[3], double normal[3]) {
     double first[3], second[3];

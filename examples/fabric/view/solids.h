@@ -5,14 +5,15 @@
 
 #include "scene/scene.h"
 
-/** Draws a box, sphere or cylinder at its pose at `time` (s), with normals; nothing for a plane. */
+/** Draws a box, sphere, cylinder or mesh, with normals, at its pose at `time` (s). Draws nothing
+ *  for a plane. */
 void solids_draw(const collider *c, double time);
 
-/** A point of a plane at `time`, and its unit normal then. */
+/** Computes a point of a plane and its unit normal, both at `time`. */
 void solids_plane(const collider *c, double time, double point[3], double normal[3]);
 
-/** Draws a plane as tiles around its point nearest to `middle`; at the distance `reach` (m) they
- * have faded to the background's colour. */
+/** Draws a plane as tiles around its point nearest to `middle`. At the distance `reach` (m) the
+ *  tiles have faded to the background's colour. */
 void solids_draw_plane(const collider *c, double time, const double middle[3], double reach,
                        const float background[3]);
 

@@ -18,18 +18,19 @@ struct stage {
     OSMesaContext context;
     unsigned char *pixels; /* [height][width][4] */
     GLuint weave;
-    shadow shadow; /* of cloth and solids on themselves and each other */
+    shadow shadow; /* shadows that cloth and solids cast on themselves and each other */
 };
 
 static const GLfloat BACKGROUND[3] = {0.93f, 0.945f, 0.96f};
-static const GLfloat LIGHT[4] = {-0.45f, -0.8f, 1.1f, 0.0f}; /* to the light, at infinity (w = 0) */
+static const GLfloat LIGHT[4] = {-0.45f, -0.8f, 1.1f, 0.0f}; /* direction to the light, which is at
+                                                              * infinity (w = 0) */
 static const double REPEAT = 0.16; /* m, period of the pattern woven into the cloth */
 enum { WEAVE = 64 };
-/* Limits of the small triangles in a picture, and of the parts of a side: more would not be
+/* Limits of the number of small triangles in a picture, and of parts of a side. More would not be
  * visible. */
 enum { MOST_PIECES = 300000, MOST_PARTS = 5 };
 
-/** The texture of a checked cloth: two crossing stripes. */
+/** Makes the texture of a checked cloth: two crossing stripes. */
 static GLuint make_weave(void) {
     static const double light[3] = {244.0, 240.0, 230.0}, dark[3] = {38.0, 98.0, 140.0};
     unsigned char texel[WEAVE][WEAVE][3];
@@ -64,7 +65,7 @@ static void set_light(void) {
     glEnable(GL_NORMALIZE);
 }
 
-/** Switches the key light, and the ambient and fill light. */
+/** Switches the key light on or off, and likewise the ambient and fill light (`others`). */
 static void switch_lights(int key, int others) {
     static const GLfloat ambient[4] = {0.39f, 0.40f, 0.43f, 1.0f}, none[4] = {0, 0, 0, 1.0f};
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, others ? ambient : none);
@@ -187,11 +188,11 @@ static void flatten(const double normal[3], double offset) {
     glMultMatrixd(matrix);
 }
 
-/** Darkens the plane in the shadows of cloth and solids; a stencil limits this to once per pixel.
- */
+/** Darkens the plane in the shadows of cloth and solids. A stencil limits this to once per
+ *  pixel. */
 static void draw_shadows(const stage *st, const collider *plane, const patches *cloth,
                          double time) {
-    double offset = 0.001; /* m above the plane, so as not to be hidden by it */
+    double offset = 0.001; /* m above the plane, so that the plane does not hide the shadow */
     double towards_light = 0.0, point[3], normal[3];
     solids_plane(plane, time, point, normal);
     for (int k = 0; k < 3; k++) {
@@ -245,8 +246,8 @@ static int draw_shadow_map(stage *st, const patches *cloth, double time) {
                                                                                                : -1;
 }
 
-/** Draws cloth and solids in two passes: without the key light, then adding it outside of shadows.
- */
+/** Draws cloth and solids in two passes: first without the key light, then adding the key light
+ *  outside of shadows. */
 static void draw_lit(const stage *st, const patches *cloth, double time) {
     switch_lights(0, 1);
     draw_solids(st, time);
@@ -276,7 +277,7 @@ static void draw_planes(const stage *st, const camera *from, const patches *clot
     }
 }
 
-/** Draws into the stage's pixels. 0, or -1: OSMesa failed. */
+/** Draws into the stage's pixels. Returns 0, or -1 if OSMesa fails. */
 static int draw_all(stage *st, const camera *from, const patches *cloth, double time) {
     if (draw_shadow_map(st, cloth, time) != 0)
         return -1;

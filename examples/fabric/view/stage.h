@@ -14,16 +14,16 @@ typedef struct stage_cloth {
     int vertex_count, triangle_count;
     const double *position; /* [3 * vertex_count] m */
     const int *triangle;    /* [3 * triangle_count] */
-    const float *material;  /* [2 * vertex_count] m, for the pattern woven into it */
+    const float *material;  /* [2 * vertex_count] m, coordinates for the woven pattern */
 } stage_cloth;
 
-/** Prepares pictures of this size; NULL after a message on standard error. Only one may exist at a
- *  time, because OSMesa's current context is global. The scene must outlive it. */
+/** Prepares pictures of this size. Returns NULL after a message on standard error. Only one stage
+ *  may exist at a time, because OSMesa's current context is global. The scene must outlive it. */
 stage *stage_new(const scene *s, int width, int height);
 void stage_free(stage *st);
 
-/** Draws the scene at `time` (s, moves the colliders) into p, which picture_free frees. 0, or -1
- *  after a message on standard error. */
+/** Draws the scene at `time` (s; it determines the colliders' poses) into p, which picture_free
+ *  frees. Returns 0, or -1 after a message on standard error. */
 int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double time, picture *p);
 
 /** Sets the projection and model-view matrices of OpenGL's current context to the camera's. */

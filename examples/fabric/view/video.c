@@ -19,9 +19,8 @@ typedef struct encoder {
     FILE *pictures;
 } encoder;
 
-/** Runs in the child and does not return. exec closes `report`; if exec fails, errno is written to
- * it.
- */
+/** Runs in the child and does not return. If exec succeeds, it closes `report`; otherwise errno is
+ *  written to `report`. */
 static void become_ffmpeg(int input, int report, const char *size, const char *rate,
                           const char *path) {
     const char *const words[] = {"ffmpeg",   "-hide_banner", "-loglevel", "error",
@@ -59,7 +58,7 @@ static void close_pipe(const int ends[2]) {
             close(ends[k]);
 }
 
-/** 0, or -1 after a message. */
+/** Starts ffmpeg. Returns 0, or -1 after a message. */
 static int start(encoder *e, const char *folder, const char *size, const char *rate,
                  const char *path) {
     int pictures[2] = {-1, -1}, report[2] = {-1, -1}, reason = 0;
@@ -86,7 +85,8 @@ static int start(encoder *e, const char *folder, const char *size, const char *r
     return complain_missing(folder, reason);
 }
 
-/** Waits for ffmpeg's end, and prints its status if it failed. `at_once`: kills it silently. */
+/** Waits for ffmpeg's end. Returns 0, or -1 after a message with ffmpeg's status. If `at_once`,
+ *  kills ffmpeg and prints nothing. */
 static int finish(encoder *e, int at_once) {
     int status = 0;
     if (at_once)
@@ -106,7 +106,8 @@ static int finish(encoder *e, int at_once) {
     return -1;
 }
 
-/** The frame rate at which the film runs in real time. */
+/** Computes the frame rate at which the film runs in real time. Returns 0, or -1 after a
+ *  message. */
 static int find_rate(film *of, char text[32]) {
     const frames *all = film_frames(of);
     double rate = 1.0;
@@ -124,7 +125,8 @@ static int find_rate(film *of, char text[32]) {
     return 0;
 }
 
-/** Draws and writes all pictures. Stops if ffmpeg closes the pipe; ffmpeg prints the reason. */
+/** Draws all pictures and writes them to ffmpeg. Stops if ffmpeg closes the pipe, in which case
+ *  ffmpeg prints the reason. Returns 0, or -1 after a message. */
 static int feed(encoder *e, film *of) {
     const int count = film_frames(of)->count;
     for (int number = 0; number < count && !ferror(e->pictures); number++) {
@@ -146,9 +148,10 @@ static int encode(film *of, const char *folder, int width, int height, const cha
     snprintf(size, sizeof size, "%dx%d", width, height);
     if (find_rate(of, rate) != 0 || start(&e, folder, size, rate, path) != 0)
         return -1;
-    sigaction(SIGPIPE, &ignore, &kept); /* ffmpeg may end early */
+    sigaction(SIGPIPE, &ignore, &kept); /* writing must not end this process if ffmpeg ends early */
     const int fed = feed(&e, of);
-    const int finished = finish(&e, fed != 0); /* an incomplete film would look complete */
+    const int finished = finish(&e, fed != 0); /* an incomplete film could be mistaken for a
+                                                * complete one */
     sigaction(SIGPIPE, &kept, NULL);
     return fed == 0 ? finished : -1;
 }

@@ -14,9 +14,9 @@ extern const command export_command;
 extern const command plot_command;
 
 typedef struct view_request {
-    const char *folder; /* of a run */
+    const char *folder; /* folder of a run */
     const char *output; /* NULL: not given */
-    long width, height; /* of pictures, in pixels */
+    long width, height; /* size of pictures in pixels */
 } view_request;
 
 #define VIEW_OUTPUT(argument, help)                                                                \
@@ -32,11 +32,11 @@ typedef struct view_request {
             .offset = offsetof(view_request, height), .low = 32, .high = 4096                      \
     }
 
-/** Reads a command line with one folder. OPTIONS_READ, or the exit status. */
+/** Reads a command line with one folder. Returns OPTIONS_READ, or the exit status. */
 int view_read_request(const command *self, int argc, char **argv, view_request *r);
 
-/** Sets the output's path: `given`, or "folder/name" if that is NULL. 0, or -1 after a message: it
- * is too long. */
+/** Sets the output's path to `given`, or to "folder/name" if that is NULL. Returns 0, or -1 after a
+ *  message if it is too long. */
 int view_output(char path[FILE_PATH_SIZE], const char *folder, const char *name, const char *given);
 
 #endif

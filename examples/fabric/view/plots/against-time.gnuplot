@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Plots the error of the algebra against time, from `table`, for the values `names` of its fourth column.
+# Plots the error of the linear algebra against time, from `table`, with a line for each value in `names` of the
+# fourth column.
 hue(k) = strstrt(names, k) ? color(words(names[1:strstrt(names, k)])) : color(1)
 stats table.'.csv' skip 2 using 11 nooutput
 fast = STATS_min
