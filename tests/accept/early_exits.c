@@ -128,8 +128,52 @@ __attribute__((noinline)) static int by_message(int n) {
     return here;
 }
 
+/* A condition to leave may assign a variable, which is used below and after the loop. */
+__attribute__((noinline)) static int by_assigned(int n) {
+    int i = -1;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int end, sum = 3;
+        if ((i = k[t]) == -7 || (i > 10 && (sum = i + t) < 0))
+            return t;
+        if ((end = i < 0 ? 4 : i) > limit) {
+            printf("iteration %d: %d\n", t, i);
+            exit(3);
+        }
+        h[end] += w[t] * sum;
+    }
+    return i;
+}
+
+/* ... in an inner loop, with a message after which the loop continues. */
+__attribute__((noinline)) static int by_assigned_inside(int n) {
+    int i = 0;
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int c = 0; c < 2; c++) {
+            if ((i = k[t + c]) < -5)
+                warn("assigned", t);
+            h[i < 0 ? c : i] -= w[t];
+        }
+    return i;
+}
+
+static int is_bad(int t) {
+    const int i = k[t];
+    return i < 0 || i >= M;
+}
+
+/* A function without effects decides. */
+__attribute__((noinline)) static int by_function(int n) {
+    int t;
+    for (t = 0; t < n; t++) { // EXPECT: transformed
+        if (is_bad(t))
+            break;
+        h[k[t]] += w[t];
+    }
+    return t;
+}
+
 static void run(const char *name) {
-    int results[7];
+    int results[10];
     by_assert(N);
     results[5] = by_message(N);
     results[6] = warnings;
@@ -139,6 +183,9 @@ static void run(const char *name) {
     results[3] = from_inside(N);
     by_exit(N);
     results[4] = by_quotient(N);
+    results[7] = by_assigned(N);
+    results[8] = by_assigned_inside(N);
+    results[9] = by_function(N);
     case_print(name, results, sizeof results);
     case_print("h", h, sizeof h);
     fflush(stdout);

@@ -22,6 +22,34 @@ void by_effect(int n, const int *k, double *h, const double *v) {
     }
 }
 
+int state;
+
+void by_global(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse break
+        if ((state = k[t]) < 0)
+            break;
+        h[k[t]] += v[t];
+    }
+}
+
+void by_carried(int n, const int *k, double *h, const double *v) {
+    int errors = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        if (v[t] < 0 && ++errors > 10)
+            break;
+        h[k[t]] += v[t];
+    }
+}
+
+void by_assigned_update(int n, const int *k, double *h, const double *v) {
+    double before;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        if ((before = h[k[t]]) > 1e9)
+            return;
+        h[k[t]] += v[t];
+    }
+}
+
 void goes_on(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         if (h[k[t]] < 0)

@@ -90,6 +90,21 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
     return true;
 }
 
+/* ---- conditions ------------------------------------------------------------------------------ */
+
+static bool assigns(const ir_node *node) {
+    return node->kind == IR_ASSIGN || ir_is_increment(node);
+}
+
+/* Does the node forbid evaluating the condition separately? Assignments to automatic variables do
+ * not, as in `if ((p = next[i]) < 0)`. Calls are analysed like the loop's other calls. */
+static bool is_beyond_evaluation(const ir_node *node) {
+    if (assigns(node))
+        return node->children[0]->kind != IR_VARIABLE ||
+               !variable_is_automatic(node->children[0]->variable);
+    return node->kind == IR_OPAQUE;
+}
+
 /* ---- branches with messages ------------------------------------------------------------------ */
 
 enum { DEEPEST_MESSAGE = 4 }; /* of nested calls */
@@ -120,7 +135,7 @@ static bool has_message(const ir_node *node, unsigned depth) {
 
 static bool is_with_message(const ir_node *statement) {
     const ir_node *branch = statement->children[1];
-    return expression_is_plain(statement->children[0]) && has_message(branch, 0) &&
+    return !ir_any(statement->children[0], is_beyond_evaluation) && has_message(branch, 0) &&
            !ir_may_be_entered(branch);
 }
 
@@ -154,10 +169,19 @@ static bool has_own_bytes(const ir_node *statement) {
     return true;
 }
 
+/* Can the branch's bytes be replaced, so that the condition before it stays? */
+static bool has_branch_of_own_bytes(const ir_node *statement, const ir_node *condition) {
+    const ir_range *branch = &statement->children[1]->range;
+    return condition->range.end <= branch->begin && branch->begin < branch->end &&
+           branch->end <= statement->range.end;
+}
+
 static void add(search *s, ir_node *statement, const ir_node *condition, bool is_negated) {
     loop_exits *found = s->found;
-    if (found->count == LOOP_MOST_EXITS || !expression_is_plain(condition) ||
-        !has_own_bytes(statement)) {
+    const bool is_kept = ir_any(condition, assigns);
+    if (found->count == LOOP_MOST_EXITS || ir_any(condition, is_beyond_evaluation) ||
+        !has_own_bytes(statement) ||
+        (is_kept && (is_negated || !has_branch_of_own_bytes(statement, condition)))) {
         s->is_over = true;
         return;
     }
@@ -175,7 +199,8 @@ static void add(search *s, ir_node *statement, const ir_node *condition, bool is
                                                .condition = condition,
                                                .holder = condition->parent,
                                                .parent = statement->parent,
-                                               .is_negated = is_negated};
+                                               .is_negated = is_negated,
+                                               .is_kept = is_kept};
 }
 
 /* The condition that the statement asserts, as an expression or as the last part of a sequence
@@ -245,9 +270,14 @@ void loop_exits_put_back(const loop_exits *exits) {
 
 void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
     for (unsigned i = 0; exits && i < exits->count; i++) {
-        assert(exits->items[i].rest->kind == (are_hidden ? IR_IF : IR_BLOCK));
-        exits->items[i].rest->kind = are_hidden ? IR_BLOCK : IR_IF;
-        exits->items[i].rest->child_count = are_hidden ? 0 : 2;
+        ir_node *rest = exits->items[i].rest;
+        if (exits->items[i].is_kept) {
+            rest->children[1]->kind = are_hidden ? IR_BLOCK : IR_CONTINUE;
+            continue;
+        }
+        assert(rest->kind == (are_hidden ? IR_IF : IR_BLOCK));
+        rest->kind = are_hidden ? IR_BLOCK : IR_IF;
+        rest->child_count = are_hidden ? 0 : 2;
     }
 }
 

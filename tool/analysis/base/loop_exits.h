@@ -18,7 +18,8 @@
 const ir_node *assertion_condition(const ir_node *expression);
 
 /** Finds all exits of a loop with this body. NULL if an exit cannot be removed (its condition has
- *  effects, or it is not in a block), or if there are too many. */
+ *  effects other than assignments to automatic variables, or it is not in a block), or if there are
+ *  too many. */
 loop_exits *loop_exits_find(arena *a, const ir_node *body);
 
 /** Replaces each exit by `if (condition) continue;`. The exits have no parents while they are
@@ -26,7 +27,8 @@ loop_exits *loop_exits_find(arena *a, const ir_node *body);
 void loop_exits_take_out(const loop_exits *exits);
 void loop_exits_put_back(const loop_exits *exits);
 
-/** Hides the exits' conditions too, or restores them, while the exits are removed. */
+/** Hides the exits' conditions too, or restores them, while the exits are removed. A condition that
+ *  assigns variables stays visible, since the body must evaluate it: `if (condition) { }`. */
 void loop_exits_hide(const loop_exits *exits, bool are_hidden);
 
 /** The exit that this `if` replaces; NULL if there is none. */

@@ -367,6 +367,8 @@ static void drop_exits(body_copy *copy) {
     const loop_exits *exits = copy->loop->facts->slice.exits;
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const ir_node *exit = exits->items[i].statement;
+        if (exits->items[i].is_kept)
+            exit = exit->children[1];
         replace_bytes(copy, exit->range.begin, syntax_statement_end(copy->loop->unit->source, exit),
                       "{ }");
     }
