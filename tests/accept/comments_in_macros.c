@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Macros with comments of their own, one on each line: a line's end behind a comment's mark splits
-// no mark.
+// Macros that contain comments, one of them on each line. A backslash at a line's end, behind the
+// end of a comment, must not split that mark.
 #include "case.h"
 
 enum { N = 6000, M = 400 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The array is read, or stored to, in the loop that accumulates into it.
-// covers: row 25, row 28, row 45, row 44, row 36
+// covers: row 25, row 28, row 45, row 44, row 36 of docs/constructs.md
 struct particle {
     double x, fx;
 };

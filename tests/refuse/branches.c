@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Directives in a loop's text that must not be repeated in a second copy, or that start or end the
 // loop in the middle of a conditional group.
-// covers: row 3
+// covers: row 3 of docs/constructs.md
 #define TABLE_OF(t) k[t]
 #define UNIQUE __COUNTER__
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // A call that stands in an attribute only.
-// covers: row 14, row 63
+// covers: row 14, row 63 of docs/constructs.md
 void unlock(int *p);
 
 /* unlock is called at the end of each iteration. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The smallest changes by which the loops of accept/conflicts.c depend on their order, dense nests,
 // and loops whose iterations do not meet.
-// covers: row 95
+// covers: row 95 of docs/constructs.md
 enum { N = 4000, ROOM = 8 };
 typedef struct atom {
     double f[3], q;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The smallest changes by which the conditions of accept/do_loops.c do not say how many iterations
 // there are, or may not be asked before the first of them.
-// covers: row 91
+// covers: row 91 of docs/constructs.md
 #include <stddef.h>
 
 enum { N = 4000 };

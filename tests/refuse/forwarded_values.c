@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // A stored value is read again, but not certainly as the stored one.
-// covers: row 31, row 59
+// covers: row 31, row 59 of docs/constructs.md
 #include <math.h>
 
 typedef struct item {

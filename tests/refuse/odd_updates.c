@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Updates, private variables and subscripts that nearly fit.
-// covers: row 24, row 33, row 31, row 59
+// covers: row 24, row 33, row 31, row 59 of docs/constructs.md
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Compiled with OpenMP: `for` in a region around updates of arrays, which one thread may not execute for all. */
-// covers: row 55
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 enum { N = 1000 };
 static double w[N], h[N], q[N], of_thread[N];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* OpenMP directives that are more than a way to be parallel: they stay, and their loops with them. */
-// covers: row 55
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 enum { N = 1000 };
 static double h[N], w[N], of_file;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Compiled with OpenMP, whose directives are to be kept. */
-// covers: row 55
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 // OPTIONS: --openmp=keep
 void existing_openmp(int n, const int *restrict s, double *restrict h) {

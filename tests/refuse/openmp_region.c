@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Compiled with OpenMP: `for` that reduces scalars, and whose iterations may have to stay where they are. */
-// covers: row 55
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 static double w[1000], q[1000], of_file, of_thread, buffer[100];
 #pragma omp threadprivate(of_thread, buffer)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // An element that is read and stored to, and is not shown to be the iteration's own.
-// covers: row 93
+// covers: row 93 of docs/constructs.md
 struct particle {
     double x, v;
     unsigned flag : 3;

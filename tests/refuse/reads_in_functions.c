@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The smallest changes after which the reads of the functions of accept/reads_in_functions.c are no longer known.
-// covers: row 80, row 81
+// covers: row 80, row 81 of docs/constructs.md
 
 /* The element of the iteration before. */
 static double before(const double *x, const int node[4]) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Values carried from one iteration to another in scalars.
-// covers: row 59, row 34, row 60, row 32
+// covers: row 59, row 34, row 60, row 32 of docs/constructs.md
 void previous(int n, const int *k, double *h, const double *v) {
     double last = 0.0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Sums that something else may read or write, or that are not the same object in each iteration. */
-// covers: row 59
+// covers: row 59 of docs/constructs.md
 struct moments {
     double x, y;
     int n;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Elements of a table that a function computes: nothing tells where they end, or what seems to. A loop that changes the
 // value, or a call of floor, keeps the subscript itself unknown.
-// covers: row 17
+// covers: row 17 of docs/constructs.md
 #include <math.h>
 
 struct table { int n; unsigned m; double x0, x1, inverse, *values; float y0; };

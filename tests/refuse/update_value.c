@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The value of an update is used, or the update is part of something larger.
-// covers: row 24, row 36, row 35
+// covers: row 24, row 36, row 35 of docs/constructs.md
 #include <stdlib.h>
 
 extern int sink;

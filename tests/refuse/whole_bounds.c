@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Floating bounds that no integer replaces. */
-// covers: row 8, row 9
+// covers: row 8, row 9 of docs/constructs.md
 static double h[100];
 
 void not_whole(const int *k) {
