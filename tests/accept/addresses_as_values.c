@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The array holds addresses of its own elements as values: no method may change them into addresses of a private copy.
+// The array's values are addresses of its own elements: no method may change them into addresses of a private copy.
 // covers: row 41, row 44 of docs/constructs.md
 #include "case.h"
 

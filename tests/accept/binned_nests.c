@@ -17,7 +17,7 @@ static double f[M + 4][3], g[M][3], a[M][3][3], s[M], flat[3 * M];
 static float single[M][4];
 static int counts[M][2];
 static unsigned char bytes[M][4];
-// Rows of 24 and of 48 bytes in records of the same size.
+// Records whose members are rows of 24 and of 48 bytes.
 static struct particle {
     double force[3];
     double mass[3];
@@ -99,7 +99,7 @@ static void of_two_arrays(int n) {
     }
 } // WIDE: 86 93
 
-// Two updates of one element in a row, and updates of two elements that may be the same: their order must be kept.
+// Two successive updates of one element, and updates of two elements that may be the same: their order must be kept.
 static void in_order(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (int c = 0; c < 3; c++) {

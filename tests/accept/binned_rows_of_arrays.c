@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows of arrays in bins: one record stands for an inner loop over a row and reads its operands when it is applied.
+// Rows of arrays in bins: an inner loop over a row becomes one record, whose operands are read when it is applied.
 // Rows are two-dimensional, flat, of records, overlapping, or before the array's base. Loops over constants read
 // centres. In other loops the inner header sets values that the record cannot hold.
 #include <math.h>

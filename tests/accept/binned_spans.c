@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows behind pointers in bins: one record stands for an inner loop over a row and reads its operands when it is
+// Rows behind pointers in bins: an inner loop over a row becomes one record, whose operands are read when it is
 // applied. The loops are k-means, overlapping rows, bounds and operands that depend on the iteration, conditions,
 // and floats that may overlap other floats.
 // MAY-RUN-SERIALLY: reads overlap rows, or rows each other

@@ -151,7 +151,7 @@ int main(void) {
         numbers[t % 8] = t;
     }
     for (int round = 0; round < 3; round++) {
-        /* in the second round they overlap: the last element written is the first one read */
+        /* in the second round `w` and `to` overlap: the first element read is the last one written */
         const long *w = round == 1 ? to + M - 1 : values;
         for (int i = 0; i < M + N; i++)
             to[i] = i % 50;

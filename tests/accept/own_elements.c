@@ -413,7 +413,7 @@ int main(void) {
         order[i + 1] = i % 997;
     }
     static float sum[C][F], *sums[C];
-    static float total[C + 8][F], *totals[C]; /* the pointers lie apart from the rows */
+    static float total[C + 8][F], *totals[C]; /* the pointers do not overlap the rows */
     static int length[C];
     for (int c = 0; c < C; c++) {
         row[c] = centre[c];

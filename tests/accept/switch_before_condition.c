@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A switch stands before an update under a floating-point condition: its break statements do not prevent the analysis.
+// A switch precedes an update under a floating-point condition: its break statements do not prevent the analysis.
 // covers: row 6 of docs/constructs.md
 #include "case.h"
 

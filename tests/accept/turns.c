@@ -177,7 +177,7 @@ static void under_condition(int n, int last) {
     }
 }
 
-// Of nested loops the inner one has the check, if only it determines a row.
+// In a nest the inner loop has the check if only this loop determines a row.
 static void of_cells(int n, double *t) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Calls that do more than compute.
+// Calls of functions that do more than compute a value.
 // covers: row 14, row 15, row 16, row 17, row 18, row 19, row 57 of docs/constructs.md
 #include <errno.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rounding modes and exception flags are part of the result.
+// With FENV_ACCESS the rounding mode and the exception flags are part of the result.
 // covers: row 56 of docs/constructs.md
 #pragma STDC FENV_ACCESS ON
 

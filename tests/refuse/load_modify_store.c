@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the loops of accept/load_modify_store.c may no longer be translated.
+// Loops that differ in one point from those of accept/load_modify_store.c and must not be transformed.
 // covers: row 82 of docs/constructs.md
 
 enum { N = 4000 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// As own_options.c, by a pragma.
+// As in own_options.c, but a pragma sets the options.
 // covers: row 33, row 56 of docs/constructs.md
 #pragma GCC optimize("O3")
 void by_pragma(int n, double *h, const double *x) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A type of a name that the runtime's header declares.
+// A type whose name the runtime's header declares as well.
 // covers: row 68 of docs/constructs.md
 typedef short redcc_int;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts that the loop itself makes, or that cannot be computed twice.
+// Subscripts that the loop itself computes or changes, or that cannot be computed twice.
 // covers: row 31, row 32, row 33, row 34 of docs/constructs.md
 #include <math.h>
 
