@@ -2,8 +2,8 @@
 /*
  * mutate SEED <FILE
  *
- * Prints the file damaged: cut off, bytes changed, pieces left out, moved or doubled, or something
- * nested deeply put in. What comes out is mostly no C.
+ * Prints the file with damage: truncated, with changed bytes, with pieces removed, moved or
+ * duplicated, or with deeply nested text inserted. The result is mostly not valid C.
  */
 #include <stdio.h>
 #include <stdlib.h>
