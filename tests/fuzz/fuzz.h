@@ -48,8 +48,7 @@ enum fuzz_type {
 };
 
 /** Returns false if the environment variable FUZZ_LEFT_OUT contains the program's seed (seeds with
- * commas between them).
- */
+ * commas between them). */
 int fuzz_runs(unsigned long long seed);
 /** Starts the random values of one program. */
 void fuzz_seed(unsigned long long seed);

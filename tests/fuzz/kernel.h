@@ -170,8 +170,7 @@ const char *condition(kernel *k);
 /** Returns an element of a reduction array. */
 const char *place(kernel *k, const array *a, const char *index);
 /** Like place, but by a function of the file that returns the address of the element or of the row
- * (helpers.c).
- */
+ * (helpers.c). */
 const char *place_by_accessor(kernel *k, const array *a, const char *index);
 /** Returns an expression that may be combined with elements of `a` by its operation. */
 const char *contribution(kernel *k, const array *a);

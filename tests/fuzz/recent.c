@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Counters that stop at a limit, own elements that are read, stored and read again, functions that
  * clamp a table's subscript, pairs of records, loops with OpenMP directives, and similar
- * statements. Only in programs with seed % 10 equal to 2, 5, 6 or 9.
- */
+ * statements. Only in programs with seed % 10 equal to 2, 5, 6 or 9. */
 #include "fuzz/kernel.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))

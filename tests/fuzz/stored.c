@@ -118,8 +118,7 @@ const char *read_then_stored(kernel *k) {
     return store_to(k, drained, own, is_floating);
 }
 
-/* sum += f(v, p): the call fills an array of the iteration, or one that is declared outside.
- */
+/* sum += f(v, p): the call fills an array of the iteration, or one that is declared outside. */
 void filling_operand(kernel *k) {
     const bool is_integer = chance(k, 30);
     const char *type = is_integer ? "int" : "double", *function = new_name(k, "fill");

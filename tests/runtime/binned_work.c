@@ -41,8 +41,7 @@ void work_oracle(const struct work *w) {
     execute(w, 0, w->trip);
 }
 
-/* ---- as redcc generates it
- * -------------------------------------------------------------------- */
+/* ---- as redcc generates it ------------------------------------------------------------------- */
 
 static void apply_means(const redcc_applied *applied) {
     long *const count = applied->rows[0];

@@ -381,8 +381,7 @@ static void uneven_iterations(void **unused) {
 }
 
 /* Floating-point sums are never made on copies, even if the descriptor says `exact`, since their
- * order matters.
- */
+ * order matters. */
 static void floats_are_never_copied(void **unused) {
     (void)unused;
     struct data data = new_data(&float_said_exact, 500, 20000, UNIFORM, 8);

@@ -47,8 +47,7 @@ static const struct statistics *statistics_of(const struct binned_loop *loop) {
     return &((const struct loop_state *)loop->descriptor->loop.state)->reported.statistics;
 }
 
-/* ---- a deliberate fault
- * ------------------------------------------------------------------------- */
+/* ---- a deliberate fault ---------------------------------------------------------------------- */
 
 static const redcc_stream *right;
 static long applied_before_fault;

@@ -55,8 +55,7 @@ static void stable_loops(void **unused) {
 }
 
 /* Returns a loop of 100 ms with long iterations and one strategy. set_up: time of its plan
- * construction, in executions.
- */
+ * construction, in executions. */
 static struct trace *heavy(int count, double set_up, double faster) {
     struct trace *trace = ordinary(count);
     const double sequential = 100e-3;
@@ -214,8 +213,7 @@ static void bins_on_trial(void **unused) {
 }
 
 /* Binning seemed the best strategy but was not. The next best is used, and binning is not tried
- * again.
- */
+ * again. */
 static void what_has_failed_is_not_tried_again(void **unused) {
     (void)unused;
     struct trace *trace = heavy(40, 0.3, 1.74);

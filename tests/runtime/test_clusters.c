@@ -156,8 +156,7 @@ static void check_lists(const struct touched *it, const struct clusters *cluster
 }
 
 /* Joins clusters until there are at most `most`. Returns the number of rounds, and sets `of`
- * [UNITS] to the units' clusters.
- */
+ * [UNITS] to the units' clusters. */
 static int cluster(const struct touched *it, uint32_t most, int threads, uint32_t *of,
                    uint32_t *count) {
     static struct access_log logged[THREADS_MOST];

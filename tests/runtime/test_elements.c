@@ -44,8 +44,7 @@ static int row[TRIP];
 #define BITS_XOR(b, x) b ^= x
 
 /* Contributions: small numbers, or for products mostly ones and few twos, so that nothing
- * overflows.
- */
+ * overflows. */
 #define SMALL(t) ((t)*37 % 19 - 9)
 #define UNSIGNED(t) ((t)*37 % 19)
 #define TWOS(t) ((t) % 300 == 7 ? 2 : 1)

@@ -353,8 +353,7 @@ static void the_report_says_what_was_done(void **unused) {
 }
 
 /* Compensated sums have the same bits at every thread count. These bits differ from those of plain
- * sums.
- */
+ * sums. */
 static void compensated_sums(void **unused) {
     (void)unused;
     const struct outcome one =

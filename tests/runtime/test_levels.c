@@ -181,8 +181,7 @@ static struct problem random_pairs(long trip, int rows) {
 }
 
 /* Calls the loop by auto and checks that each call gives the expected bits. Returns the number of
- * calls executed in levels.
- */
+ * calls executed in levels. */
 static int calls_by_levels(struct problem *problem, int threads, int calls) {
     struct described described;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);

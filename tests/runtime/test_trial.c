@@ -3,8 +3,7 @@
  * changes from part to part. Every iteration must be executed once, in the loop's order for each
  * element:
  *
- *     for (t = 0; t < trip; t++) { b[row[t]] = b[row[t]] * 0.5 + t; b[other[t]] += t; }
- */
+ *     for (t = 0; t < trip; t++) { b[row[t]] = b[row[t]] * 0.5 + t; b[other[t]] += t; } */
 #include "loop.h"
 
 #include <omp.h>

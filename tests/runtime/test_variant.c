@@ -190,8 +190,7 @@ static void iterations_are_cut_into_parts(void **unused) {
 }
 
 /* The runs of a chunk, read in parts of each length, must contain the same iterations, with the
- * same checks.
- */
+ * same checks. */
 static void expect_all_in_parts(const struct schedule *schedule, const char *checked,
                                 redcc_int trip, redcc_int length) {
     struct run_reader reader = redcc_runs_of(schedule, &schedule->chunk[0]);

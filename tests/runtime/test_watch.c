@@ -403,8 +403,7 @@ static void let_rest(struct fixture *fixture, long calls) {
 }
 
 /* Makes it seem that the plan has saved this many seconds beyond its construction before the next
- * call.
- */
+ * call. */
 static void let_earn(struct fixture *fixture, double seconds) {
     struct loop_state *state = fixture->described.loop.state;
     for (int size = 0; size < REDCC_SIZES; size++) {

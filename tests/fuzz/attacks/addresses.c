@@ -84,8 +84,7 @@ static operand by_address(attack *a) {
     return (operand){text(a, chance(a, 50) ? "(int)*at$" : "(int)own$"), true, false, NULL};
 }
 
-/* The address of a variable of the iteration differs between threads; it equals only itself.
- */
+/* The address of a variable of the iteration differs between threads; it equals only itself. */
 static operand own_address(attack *a) {
     note(a, "addresses/private");
     put(a, PART_BODY, "int v$ = k[t];\nint *p$ = &v$;\n*p$ ^= %d;\n", 1 + below(a, 7));

@@ -81,8 +81,7 @@ void attack_print(unsigned seed, const void *bytes, size_t size, int is_floating
     fflush(stdout);
 }
 
-/* ---- functions of another file that read more than their arguments
- * ----------------------------- */
+/* ---- functions of another file that read more than their arguments --------------------------- */
 
 static const unsigned char *watched;
 static size_t watched_count = 1;
@@ -129,8 +128,7 @@ double expectf(double v) {
     return attack_watched((int)v);
 }
 
-/* ---- values that belong to a thread
- * ------------------------------------------------------------ */
+/* ---- values that belong to a thread ---------------------------------------------------------- */
 
 static _Thread_local int own[256];
 static _Thread_local int number;

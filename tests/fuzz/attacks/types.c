@@ -74,8 +74,7 @@ static const char *other_sign(const char *type) {
 }
 
 /* Reads as the type with the other sign, as a record, through may_alias, through a union, or as a
- * vector.
- */
+ * vector. */
 static operand seen_otherwise(attack *a) {
     note(a, "types/seen-otherwise");
     switch (below(a, 4)) {

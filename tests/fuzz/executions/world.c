@@ -119,8 +119,7 @@ static void exchange(int *k, int i, int j) {
     k[j] = kept;
 }
 
-/* Moves h into v, which lies in front of it, if all rows fit, or moves it back to its own place.
- */
+/* Moves h into v, which lies in front of it, if all rows fit, or moves it back to its own place. */
 static void change_overlap(world *w, random_source *r) {
     problem *p = &w->problem;
     double *const inside = (double *)p->v + random_below(r, p->n);
