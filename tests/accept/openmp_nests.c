@@ -77,7 +77,7 @@ static int never(int n, int m) {
             seen = w[i * MANY + j];
             sum += seen;
         }
-    return sum == 0.25 && (getenv("CASE_INTEGERS") || (seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6))); /* OpenMP leaves them open */
+    return sum == 0.25 && (getenv("CASE_INTEGERS") || (seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6))); /* unspecified */
 }
 
 /* three loops; long iterations; a triangle and headers that a macro makes, where only the outer loop is divided */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Cases of the must-write proof; must_write_cases.ir is this file as the frontend sees it. In each
+ * Cases of the must-write proof; must_write_cases.ir is made from this file by the frontend. In each
  * function whose name begins with proved_, early_ (read before written) or unknown_, the variable f
- * is judged for the body of the outermost loop that is counted by t. If the name ends in _whole, all
- * of f is definitely assigned when an iteration ends; otherwise not.
+ * is analysed in the body of the outermost loop whose counter is t. If the name ends in _whole, all
+ * of f is definitely assigned when an iteration ends; otherwise it is not.
  */
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The must-write proof against execution: random loop bodies over an array f of four doubles are
- * analysed, then executed many times with random data and every order of operands that C leaves
- * open. Every proved property must hold in every execution.
+ * The must-write proof is compared with executions. Random loop bodies over an array f of four
+ * doubles are analysed, then executed many times with random data, in every order of operands that C
+ * permits. Every proved property must hold in every execution.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -141,8 +141,8 @@ static void forget(document *d) {
     free(d->bytes);
 }
 
-/** Returns the address of an accessor's element. Checks that it lies within its view and the view
- * within the buffer, and that it is aligned. */
+/** Returns the address of an accessor's element. Checks that the element lies within its view, that
+ * the view lies within the buffer, and that the element is aligned. */
 static const unsigned char *element(const document *d, long accessor, long number) {
     json_t *a = item(d->root, "accessors", accessor);
     json_t *view = item(d->root, "bufferViews", whole(a, "bufferView"));

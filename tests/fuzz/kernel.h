@@ -54,9 +54,9 @@ typedef enum storage {
 
 typedef struct array {
     const char *base;   /* the array's name in the kernel */
-    const char *object; /* the static array behind it */
+    const char *object; /* the static array that `base` denotes or points to */
     const char *given;  /* the caller's argument: the object, or memory that it overlaps */
-    const char *record; /* the type of records */
+    const char *record; /* the type of its records */
     element type;
     shape shape;
     storage storage;
@@ -67,7 +67,7 @@ typedef struct array {
 
 enum { MOST_NAMES = 24, REDUCTIONS = 2, SUBSCRIPTS = 2 };
 
-/** Variables in scope, of one kind. */
+/** The variables in scope of one kind. */
 typedef struct names {
     const char *name[MOST_NAMES];
     int count;

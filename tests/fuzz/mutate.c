@@ -15,7 +15,7 @@ static size_t place_in(random_source *r, const buffer *b) {
     return (size_t)random_below(r, (int)b->length + 1);
 }
 
-/* The text with [from, to) replaced. */
+/* Replaces [from, to) in the text. */
 static void replace(buffer *b, size_t from, size_t to, const char *text, size_t length) {
     buffer result = {0};
     buffer_append(&result, b->data, from);

@@ -266,9 +266,9 @@ static void stealable_schedules_are_claimed_in_turn(void **unused) {
         assert_int_equal(redcc_stealable_schedule(&plan, claimed), order[claimed]);
     for (int s = 0; s < 9; s++)
         schedule[s].iterations = iterations[s];
-    /* 10 + 20 + 20 + 20 + 5 + 5 + 5 = 85 */
+    /* thread 2 claims all stealable schedules: 10 + 20 + 20 + 20 + 5 + 5 + 5 = 85 */
     assert_int_equal(redcc_plan_length(&plan), 100);
-    schedule[6].iterations = 60; /* 60 + 20 = 80, + 20 = 100, 90 + 20 = 110; then 105, 105, 110 */
+    schedule[6].iterations = 60; /* loads of the claiming threads: 80, 100, 110, 105, 105, 110 */
     assert_int_equal(redcc_plan_length(&plan), 110);
 }
 
