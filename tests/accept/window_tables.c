@@ -69,7 +69,7 @@ static void subscripts(int n) {
     }
 }
 
-/* The table is written, changed and read twice, and the second reader ends early. A condition covers all of it. */
+/* Under a condition, the table is written, changed and read twice. The loop that reads it may end early. */
 static void changed_again(int n, int order) {
     double w[TABLE];
     int k;

@@ -66,7 +66,7 @@ static cloth_frames run = {.count = FRAMES,
 typedef struct document {
     json_t *root;
     size_t size;
-    unsigned char *bytes; /* contents of its buffer */
+    unsigned char *bytes; /* contents of the glTF buffer */
 } document;
 
 static unsigned char file_bytes[MOST];
@@ -356,7 +356,7 @@ static void test_limits(void **unused) {
     check_refused(&large,
                   "refused.glb: 1204 MB, expected up to 1000 in a glTF file: run with fewer "
                   "--frames, or use 'fabric export' (VTK files)\n");
-    failing = 2; /* a frame that cannot be read, whose reader prints the message */
+    failing = 2; /* reading this frame fails; the reader, not gltf_write, would print a message */
     check_refused(&run, "");
     failing = -1;
 }

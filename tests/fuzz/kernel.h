@@ -56,7 +56,7 @@ typedef struct array {
     const char *base;   /* the array's name in the kernel */
     const char *object; /* the static array that `base` denotes or points to */
     const char *given;  /* the caller's argument: the object, or memory that it overlaps */
-    const char *record; /* the type of its records */
+    const char *record; /* the type of the elements if they are records */
     element type;
     shape shape;
     storage storage;
@@ -87,7 +87,7 @@ typedef struct kernel {
     uint64_t seed;
     random_source random;
     arena *memory;
-    const bool *without; /* statements to leave out, by number, or NULL */
+    const bool *without; /* without[n]: statement n is omitted; NULL: none is */
     int without_count;
     int statements; /* number of statements so far */
     int names;      /* number of names so far */
@@ -112,7 +112,7 @@ typedef struct kernel {
     bool has_recent;      /* seed % 10 is 2, 5, 6 or 9: recent.c */
     bool has_tables;      /* seed % 8 == 3: tables.c */
     bool has_lookups;     /* seed % 6 == 4: lookups.c */
-    bool has_held;        /* has objects that must not be written during the calls */
+    bool has_held;        /* some objects must not be written while the kernel is called */
     bool is_masked;       /* subscripts from memory are masked at their use */
     bool is_damped;       /* floating-point values are bounded at their use */
     bool has_outer_counter;

@@ -253,7 +253,7 @@ const char *arguments(kernel *k) {
     return text(k, "%s)", list);
 }
 
-/* ---- what is in them ------------------------------------------------------------------------- */
+/* ---- initial values -------------------------------------------------------------------------- */
 
 static void fill(kernel *k, buffer *b, const array *a, int limit) {
     static const char *const types[ELEMENT_COUNT] = {

@@ -172,19 +172,19 @@ static double height_of(const simulation *sim) {
     return sum;
 }
 
-/* Has the cloth gained energy in a scene that only gravity drives? Allowed are the initial energy
- * and twice the energy of the fall. Rising cloth may have gained and lost energy between two
- * frames, hence the largest fall counts. */
+/* Does the cloth have too much energy, in a scene that only gravity drives? Kinetic and elastic
+ * energy may be up to 3 times the sum of the initial energy and the energy of the fall from the
+ * highest position so far. */
 static int has_too_much(const simulation *sim, double first, double highest, double now) {
     const double given = highest - height_of(sim);
     const double allowed = first + (given > 0 ? given : 0);
     return now > 3 * allowed + 1e-9 * sim->cloth.total_mass;
 }
 
-/* Has worn cloth among moving bodies gained energy? The bodies may add the work that the monitor
- * computes. No state may have more than twice the initial energy and this work. In a refused step a
- * thousand times that is allowed, and the energy of the cloth at twice the fastest body's speed,
- * since the step should end before more is gained. */
+/* Does worn cloth among moving bodies have too much energy? A state may have up to twice the
+ * monitor's reference: the initial energy plus the work done on the cloth. A refused step should
+ * end early, with at most 1000 times the sum of the reference and m v^2, where m is the cloth's
+ * mass and v is twice the fastest body's speed. */
 static int has_run_away(const simulation *sim, int is_refused) {
     const monitor *m = &sim->monitor;
     const double most_speed = 20; /* m/s */

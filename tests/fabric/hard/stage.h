@@ -29,7 +29,8 @@ void stage_begin(stage *on);
 /** Frees cloth and simulation. If FABRIC_STAGE_BITS is set, appends a line with a hash of the final
  * state to that file, which hard/bits.sh compares. */
 void stage_end(stage *on);
-/** True if only bits are compared. The other checks are made in runs without this. */
+/** True if a test shall only produce hashes of states (hard/bits.sh) and omit its other checks,
+ * which another run makes. */
 int stage_compares_bits(void);
 
 /** Must be called after a test has changed the state: resets the values that the monitor compares

@@ -62,7 +62,7 @@ static double needed_bytes(const stage *on) {
     bytes += 8 * blocks_across(&sim->system.A);
     if (has_triangles)
         bytes += triangles * 24;
-    if (has_bend) /* corner, vertex, role, block, weight, angle */
+    if (has_bend) /* arrays corner, vertex, role, block, weight, angle */
         bytes += hinges * (16 + 16 + 16 + 40 + 8 + 8);
     if (has_bend && !s->monitor.off)
         bytes += hinges * 8 + vertices * 24;
