@@ -132,7 +132,7 @@ static int never(int n) {
 #pragma omp single
         sum *= 2;
     }
-    return sum == 0.5 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* OpenMP leaves them unspecified */
+    return sum == 0.5 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* unspecified in OpenMP */
 }
 
 /* reduced variables of all widths */

@@ -31,7 +31,7 @@ static void sum_and_scattered(int n, double *restrict to, long *sum, float *h) {
     }
 }
 
-/* An own element, stored after the loop, overwrites the sum. */
+/* Iteration t stores to e[t] only after the loop, which overwrites the sum if both are the same memory. */
 static int sum_and_own(int n, double *restrict to, int *restrict mark, int *sum, float *e) {
     int changes = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed

@@ -307,7 +307,7 @@ static void generate(generator *g) {
 
 typedef struct number {
     enum { PLAIN, INTO_F, INTO_S } kind;
-    double value; /* or the index of the element pointed to */
+    double value; /* the number; for a pointer (INTO_F, INTO_S) the index of its element */
 } number;
 
 typedef enum exit_kind { EXIT_NONE, EXIT_BREAK, EXIT_CONTINUE, EXIT_RETURN } exit_kind;

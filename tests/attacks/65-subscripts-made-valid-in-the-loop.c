@@ -58,14 +58,14 @@ static __attribute__((noinline)) void decided(int n, int *h, const int *s, const
     }
 }
 
-/* Two levels of tables: the second table's subscripts are unknown before the loop; */
+/* Two levels of tables: the second table's subscripts are unknown before the loop. */
 static __attribute__((noinline)) void chained(int n, int *count, const int *map, const int *k,
                                               const int *far) {
     for (int i = 0; i < n; i++) // EXPECT: parallel
         count[map[far[k[i]]]] += FAR;
 }
 
-/* and a condition decides whether a table is read. */
+/* A condition decides whether a table is read. */
 static __attribute__((noinline)) void sifted(int n, int *count, const int *map, const int *k,
                                              const char *is_in) {
     for (int i = 0; i < n; i++) // EXPECT: parallel

@@ -80,7 +80,7 @@ static void test_read(void **unused) {
     assert_int_equal(s.mesh.vertices, 30);
     assert_true(s.mesh.side == 0.5 && s.material.density == 0.25 &&
                 s.surroundings.gravity[2] == -9.81 && s.time.step == 0.01);
-    assert_int_equal(s.mesh.order, MESH_ORDER_SORTED); /* and other defaults */
+    assert_int_equal(s.mesh.order, MESH_ORDER_SORTED); /* values not in the file: defaults */
     assert_true(s.mesh.normal[2] == 1.0 && s.solution.tolerance == 1e-3 &&
                 s.surroundings.drag == 0.0);
     assert_int_equal(s.mesh.seed, 1);

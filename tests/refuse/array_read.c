@@ -60,7 +60,7 @@ void bytes_of_it(int n, const int *k, double *h) {
         h[k[t]] += bytes[t];
 }
 
-/* Other members may be read (accept/binned_members.c), but not the updated member of another record, */
+/* Other members may be read (accept/binned_members.c), but not the updated member of another record. */
 struct pulled {
     double at[2], pull[2];
 };
@@ -73,7 +73,7 @@ void other_record(int n, struct pulled *b, double reach) {
             }
 }
 
-/* and not a whole record. */
+/* A whole record contains the updated member. */
 void whole_pulled(int n, struct pulled *restrict b, const int *k) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         const struct pulled one = b[k[t + 1]];

@@ -25,7 +25,8 @@ struct binned_problem {
     const void *value; /* [trip] */
     void *rows;        /* address of the row with subscript 0 */
     const double *by;
-    redcc_int slow; /* first iterations that take longer; if negative, last iterations */
+    redcc_int slow; /* the first `slow` iterations take 20 microseconds longer, or the last -slow if
+                       < 0 */
 };
 
 static inline void binned_delay(const struct binned_problem *p, redcc_int t) {

@@ -473,7 +473,7 @@ static void one_thread_has_prospects_by_lanes(void **unused) {
     assert_true(it[WAY_INDEX].execution < 0.9 * findings.sequential);
     assert_true(it[WAY_INDEX].execution > 0.8 * findings.sequential);
     assert_false(it[WAY_GRAPH].possible);
-    struct arm two[WAY_COUNT]; /* several threads are worth a plan without lanes */
+    struct arm two[WAY_COUNT]; /* with 2 threads the lanes change no estimate */
     findings.threads = 2;
     redcc_estimate_arms(&findings, it);
     findings.lanes = false;
@@ -526,7 +526,7 @@ static void prospects_follow_from_what_was_found(void **unused) {
     redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution < 0.6 * findings.sequential);
-    findings.sequential = 1e-9; /* a light loop whose iterations all have other owners */
+    findings.sequential = 1e-9; /* short iterations, each with other owners than the previous one */
     findings.runs = 1;
     redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_INDEX].execution > findings.sequential);

@@ -137,8 +137,8 @@ static void little_is_asked(void **unused) {
     free(trace);
 }
 
-/* Executions of 14 ms whose subscripts are compared: the credit of the second call covers the
- * sample, and an overdraft covers the threads. So the plan is constructed at once. */
+/* Executions of 14 ms whose subscripts are compared. The second call has enough credit to inspect a
+ * sample, and may exceed it to start the threads. So the plan is constructed at once. */
 static void threads_are_lent_for_a_look(void **unused) {
     (void)unused;
     struct trace *trace = light(10);

@@ -66,8 +66,9 @@ static void sets_are_kept_once(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Each iteration has three touches. Of each of them the same number must be kept in every stretch
- * of iterations. */
+/* The sample of a loop with TOUCHES touches per iteration is thinned: one touch in `keep_each` is
+ * kept. About as many touches of each array must remain in each of STRETCHES ranges of iterations.
+ */
 static void a_thinned_sample_is_even(void **unused) {
     (void)unused;
     enum { ITERATIONS = 20000, STRETCHES = 32, TOUCHES = 3 };

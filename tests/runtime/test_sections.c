@@ -82,7 +82,8 @@ static void one_thread_where_it_is_faster(void **unused) {
     for (int call = 1; call < 1024; call++)
         assert_int_equal(redcc_sections_threads(&it, trip, 4), 1);
     assert_int_equal(redcc_sections_threads(&it, trip, 4), 1);
-    assert_int_equal(redcc_sections_threads(&it, trip, 4), 4); /* the two are compared again */
+    assert_int_equal(redcc_sections_threads(&it, trip, 4),
+                     4); /* 4 threads are timed again after 1024 calls */
     assert_int_equal(redcc_sections_threads(&it, 100 * trip, 4), 4); /* another trip count */
 }
 

@@ -216,7 +216,7 @@ void pairs_in_a_record(struct bodies *s, double cut) {
         }
 }
 
-/* Perhaps no iteration reads *s: neither the condition nor its operands read it. */
+/* Perhaps no iteration reads *s: the condition, which does not read it, may always be false. */
 void optional_record(struct bodies *s, int m, const int *restrict p, const double *restrict x,
                      double cut) {
     for (int t = 0; t < m; t++) { // EXPECT: refuse base-conditional

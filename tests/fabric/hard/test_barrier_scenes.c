@@ -19,8 +19,8 @@ static mesh two_halves(double apart) {
     return barrier_layers(2, 5, 0.04, 0.05, 0, 0.16 + apart);
 }
 
-/* A seam that is not joined: the sheets touch at the start, which is refused with features and a
- * remedy. Slightly apart, or untangled, they run. */
+/* Two sheets along a seam that is not joined. If they touch at the start, the scene is refused with
+ * a message that suggests contact.untangle. With that option, or slightly apart, the sheets run. */
 static void seam(void **state) {
     (void)state;
     collider bodies[1] = {barrier_ground};

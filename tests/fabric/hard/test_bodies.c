@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Bodies that start, stop and turn by keyframes. Test names are those of docs/fabric-hard-cases.md.
- */
+/* Bodies that start, stop and turn by keyframes. Numbers such as S42 refer to
+ * docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <stdlib.h>

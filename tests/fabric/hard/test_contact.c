@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of contact: rest, and thin or fast colliders. Test names are those of
+/* Hard cases of contact: rest, and thin or fast colliders. Numbers such as S27 refer to
  * docs/fabric-hard-cases.md. */
 #include "stage.h"
 

@@ -164,8 +164,8 @@ static void grid_follows_ways(void **state) {
     cloth_free(&m);
 }
 
-/* Bodies that turn and move within a step: each body that comes nearer to a vertex than its gap, by
- * sampling the way at twenty points, is found near. */
+/* A body that turns and moves within a step. If it is nearer to a vertex than its gap at one of 21
+ * times of the step, collisions_find_near must report it. */
 static void turning_bodies_are_near(void **state) {
     (void)state;
     unsigned seed = 4;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of motion: momentum, indefinite systems, stiffness, mass, order, and refinement. Test
- * names are those of docs/fabric-hard-cases.md. */
+/* Hard cases of motion: momentum, indefinite systems, stiffness, mass, order, and refinement.
+ * Numbers such as S07 refer to docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <limits.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of contact between cloth, cloth and bodies: piles, folds, and bodies that pass between
- * vertices. Test names are those of docs/fabric-hard-cases.md. */
+/* Hard cases of contact between cloth, cloth and bodies: piles, folds, and bodies that pass
+ * between vertices. Numbers such as S36 refer to docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The rules of contact and of impulses, each alone, since a whole scene may not show that one is
- * broken. */
+ * broken. Numbers such as S39 refer to docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -146,16 +146,16 @@ static void test_impulses(void **state) {
     assert_true(impulse_give(&of, &both, up, 0.5, 0, NULL, v, &work));
     assert_near(v[7][2], 0, 0);
     assert_near(v[2][2], 0.5, 1e-14);
-    /* Vertex 7 may be lifted, */
+    /* An impulse may lift vertex 7 from the plane. */
     const double down[3] = {0, 0, -1};
     assert_true(impulse_give(&of, &both, down, 0.5, 0, NULL, v, &work));
     assert_true(v[7][2] > 0.01);
-    /* and then be slowed down like a free vertex, */
+    /* While lifted, it is slowed down like a free vertex. */
     const double lifted = v[7][2], together = mass[2] * v[2][2] + mass[7] * v[7][2];
     assert_true(impulse_give(&of, &both, up, lifted / 4, 0, NULL, v, &work));
     assert_true(v[7][2] > 0 && v[7][2] < lifted);
     assert_near(mass[2] * v[2][2] + mass[7] * v[7][2], together, 1e-16);
-    /* until it moves like its body. */
+    /* If the plane moves up, vertex 7 is not slowed down below the plane's speed. */
     on.sim->collisions.now[7].list[0].speed = 0.25;
     v[7][2] = 0.5;
     assert_true(impulse_give(&of, &both, up, 100, 0, NULL, v, &work));

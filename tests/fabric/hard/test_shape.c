@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of meshes: slivers, topology, refinement and numbering. Test names are those of
+/* Hard cases of meshes: slivers, topology, refinement and numbering. Numbers such as S11 refer to
  * docs/fabric-hard-cases.md. */
 #include "stage.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Shapes, swept paths, contact and friction. */
+/* Shapes, swept paths, contact and friction. Numbers such as S28 refer to
+ * docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>

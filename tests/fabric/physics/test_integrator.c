@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Integrators: their order, compared with an explicit method of fourth order, their equations, and
- * the quantities that they conserve. */
+ * the quantities that they conserve. Numbers such as S07 refer to docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -155,7 +155,7 @@ static void S31_orders(void **state) {
     check_orders(&soft, x);
 }
 
-/* S31 also if wind begins and ends within steps, at times that are no multiples of the step. */
+/* S31: the orders remain if wind begins and ends within steps. */
 static void S31_orders_across_events(void **state) {
     (void)state;
     const double times[] = {0, 0.0213, 0.0477, duration};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Whole steps: laws that every cloth must satisfy. */
+/* Whole steps: laws that every cloth must satisfy. Numbers such as S06 refer to
+ * docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 #include "base/vector.h"
 #include "stage.h"
 
-/* S24: v = -g t, and after the first step no iterations are needed. */
+/* S24: in free fall v = -g t, and the solver needs at most one iteration per step. */
 static void S24_free_fall(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Conjugate gradients with constraints are compared with elimination. Also tests the conditions
- * that stop them. */
+ * that stop them. Numbers such as S21 refer to docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -460,7 +460,7 @@ static void S24_nothing_to_do(void **state) {
     problem_end(&p);
 }
 
-/* S23 */
+/* S23: each status of the solver is reached. */
 static void S23_statuses(void **state) {
     (void)state;
     problem p = problem_new(5);

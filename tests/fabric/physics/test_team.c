@@ -77,11 +77,11 @@ static void the_fastest_count_is_found(void **state) {
     team_start(&t, 16, 0);
     take_rounds(&t, &m, 200);
     assert_int_equal(team_threads(&t), 4);
-    m.speed[1] = 2.5; /* now more threads are faster, */
+    m.speed[1] = 2.5; /* now 8 threads are fastest */
     take_rounds(&t, &m, 200);
     assert_int_equal(team_threads(&t), 8);
-    m.speed[1] = 1.4; /* then no longer, */
-    m.speed[3] = 1.8; /* and fewer threads are */
+    m.speed[1] = 1.4; /* now 8 threads are slower than 4 */
+    m.speed[3] = 1.8; /* and 2 threads are fastest */
     take_rounds(&t, &m, 600);
     assert_int_equal(team_threads(&t), 2);
     m.speed[3] = 1.3;

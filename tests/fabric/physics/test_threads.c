@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* S34 for loops with OpenMP pragmas: the bits are the same at every thread count. */
+/* S34 of docs/fabric-hard-cases.md for loops with OpenMP pragmas: the bits are the same at every
+ * thread count. */
 #include "check.h"
 
 #include <omp.h>
