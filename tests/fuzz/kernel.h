@@ -75,7 +75,7 @@ typedef struct names {
 
 typedef struct scope {
     names subscripts; /* integer variables in 0 ... elements - 1 */
-    names values;     /* floating-point variables of few bits */
+    names values;     /* floating-point variables with few significant bits */
     names positions;  /* in 0 ... size - 64 */
     names smalls;     /* in 0 ... 2 */
     int depth;        /* depth of nested blocks in the loop's body, or 0 if always executed */

@@ -30,8 +30,8 @@ typedef enum part {
     PART_ARGUMENTS,  /* arguments of its calls, each with a comma before it */
     PART_BEFORE,     /* in the kernel, before the loop */
     PART_BODY,       /* in the loop, before the updates */
-    PART_AFTER,      /* behind the loop */
-    PART_SETUP,      /* after the loop */
+    PART_AFTER,      /* in the kernel, after the loop */
+    PART_SETUP,      /* in the caller, before the first call */
     PART_FINISH,     /* in the caller, after the last call */
     PART_COUNT
 } part;
@@ -55,7 +55,7 @@ typedef struct attack {
     random_source random;
     arena *memory;
     const block_flags *flags;
-    const bool *without; /* statements to leave out, by number, or NULL */
+    const bool *without; /* without[n]: statement n is omitted; NULL: none is */
     int statements;      /* number of statements so far */
     int features;        /* number of features so far, which is part of the suffix */
     buffer parts[PART_COUNT];

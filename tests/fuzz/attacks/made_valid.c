@@ -4,17 +4,17 @@
  * arrays again, and some calls get disjoint arrays. */
 #include "fuzz/attacks/attack.h"
 
-enum { SIZE = 1024 /* of each array, a power of two above all positions */ };
+enum { SIZE = 1024 /* elements of each array: a power of two above all positions */ };
 
 static const char *const types[] = {"int", "int", "unsigned", "long"};
 
-/* What is missing from a value until it is valid: with the large values it is outside all memory,
- * otherwise only another element. */
+/* An invalid value is this much less than the valid one. With the large differences it is a
+ * subscript outside all memory, with the small ones the subscript of another element. */
 static const char *const missing[] = {"1000000000", "1000000000", "300", "7"};
 
 /* Declares `s`, which is updated, `k`, which may lie in it, and `m` (int), all with `$`, and a
- * function that fills them before a call: k[t] = `value`, reduced by `lacks` if k lies in s and t
- * >= `from`. */
+ * function that fills them before a call: k[t] = `value`, or `value` - `lacks` if k lies in s and
+ * t >= `from`. */
 static void put_arrays(attack *a, const char *type, int shift, const char *value, const char *lacks,
                        int from) {
     put(a, PART_GLOBALS,
@@ -34,7 +34,8 @@ static void put_arrays(attack *a, const char *type, int shift, const char *value
         a->trips / 2);
 }
 
-/* False if an earlier feature may leave the iteration before it makes anything valid. */
+/* Does the feature begin the body? Otherwise an earlier one may leave the iteration before the
+ * feature makes anything valid. */
 static bool is_first(const attack *a) {
     return a->parts[PART_BODY].length == 0;
 }

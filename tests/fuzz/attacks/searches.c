@@ -20,7 +20,9 @@ static void choose_start(attack *a, search *s) {
     s->cursor = cursors[which];
     s->table = chance(a, 70) ? "int" : "short";
     s->first = chance(a, 50) ? 0 : below(a, 100);
-    const int around = which < 2 ? 256 : which == 3 ? 65536 : 0; /* removed by the type */
+    const int around = which < 2    ? 256
+                       : which == 3 ? 65536
+                                    : 0; /* conversion to the type subtracts it */
     const char *first = text(a, chance(a, 50) ? "%d" : "from + %d", s->first + around);
     static const char *const narrower[] = {"(unsigned char)(%s + 512)", "(signed char)(%s + 256)",
                                            "(int)(%s + 0.5)", "(short)(%s + 65536)"};
