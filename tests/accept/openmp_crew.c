@@ -45,7 +45,7 @@ static void steps(int n, int many) {
     }
 }
 
-/* with `nowait`, directly after other loops that update the same array */
+/* Loops with `nowait`, directly after other loops that update the same array. */
 static void hasty(int n) {
 #pragma omp parallel num_threads(5)
     {

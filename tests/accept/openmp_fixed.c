@@ -118,7 +118,7 @@ static void with_sum(int n) {
     total += sum;
 }
 
-/* by the team of the enclosing region */
+/* The team of the enclosing region executes the loop. */
 static void of_team(int n, double *restrict to) {
 #pragma omp parallel
     {

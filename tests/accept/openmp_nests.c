@@ -124,7 +124,7 @@ static double shapes(int n) {
     return sum;
 }
 
-/* by the team of a region, in a function that is also called elsewhere */
+/* A function that is called in a region, whose team executes the nest, and also outside. */
 static void orphan(int n, int m) {
     int i, j;
 #pragma omp for collapse(2) reduction(+ : of_file) nowait

@@ -31,7 +31,7 @@ static unsigned below(unsigned n) {
 typedef struct generator {
     buffer out;
     unsigned names;
-    unsigned counters[16], counter_count; /* of the loops around, innermost last */
+    unsigned counters[16], counter_count; /* enclosing loops' counters, innermost last */
     unsigned pointers[16], pointer_count;
     unsigned loops; /* number of enclosing loops inside the analysed one */
 } generator;
@@ -317,7 +317,7 @@ typedef struct machine {
     bool is_undefined; /* the program left the array, or ran too long: its execution shows nothing */
     bool has_read_early;
     bool written[ELEMENTS];
-    number *variables; /* of the current function, by id */
+    number *variables; /* variables of the current function, by id */
     unsigned variable_count;
     const ir_variable *f;
     number result;

@@ -52,7 +52,7 @@ __attribute__((noinline)) static void reads_apart(long *h, const long *x) {
         h[k[t]] += x[m[t]] & 1023;
 }
 
-/* Reads two parts of one mapping, of which the second shows the first. */
+/* Reads two rows. The second one is another mapping of h's memory. */
 __attribute__((noinline)) static void reads_rows(long *h, long *const *row) {
     for (int t = 0; t < N; t++) // EXPECT: transformed
         h[k[t]] += row[t & 1][m[t]] & 1023;

@@ -5,10 +5,11 @@
 #include "fuzz/kernel.h"
 
 typedef struct span {
-    const char *first, *length, *counter; /* of elements first ... first + length */
-    const char *index;                    /* subscript of the element at the counter */
-    const char *set;                      /* a variable that the header sets as well, or NULL */
-    bool is_left;                         /* the counter's value is used after the loop */
+    const char *first, *length,
+        *counter;      /* variables: elements first ... first + length, inner counter */
+    const char *index; /* subscript of the element at the counter */
+    const char *set;   /* a variable that the header sets as well, or NULL */
+    bool is_left;      /* the counter's value is used after the loop */
 } span;
 
 /* Declares the bounds: first + length is less than the number of elements. */

@@ -15,7 +15,7 @@ typedef struct sexp sexp;
 struct sexp {
     sexp_kind kind;
     unsigned line, column; /* line and column from 1; the column counts bytes */
-    const char *text;      /* of atoms, and of strings without quotes and escapes */
+    const char *text;      /* an atom's text, or a string's contents after escapes */
     unsigned count;        /* number of a list's items */
     sexp **items;
 };

@@ -413,7 +413,7 @@ static void subscripts_are_compared(void **fixture) {
     struct fingerprint before = chooser->all, now;
     assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
     assert_true(redcc_fingerprint_equal(before, now));
-    /* with a time limit of 0 */
+    /* fails, since the time limit is 0 */
     assert_false(redcc_reuse_fingerprint(&called->described.loop, known, 0, &now));
     called->problem.row[TRIP / 2 + 1]++;
     assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
@@ -458,7 +458,8 @@ static const struct findings shuffled = {.trip = 50000,
                                          .runs = 0.5,
                                          .reusable = true};
 
-/* With lanes one thread may be worth a plan construction, but not an overdraft. */
+/* With one thread a plan is estimated to save time only if the loop has vector lanes, and never
+ * with the access graph. */
 static void one_thread_has_prospects_by_lanes(void **unused) {
     (void)unused;
     struct arm it[WAY_COUNT];

@@ -301,7 +301,8 @@ static void overlapping_arrays_out_of_step_are_refused(void **unused) {
     struct fixture fixture;
     fixture_begin(&fixture, 11);
     struct problem *problem = &fixture.problem;
-    /* as if rows had three elements, and the other array lay between them */
+    /* pretends that rows have 3 elements in one array and 2 in the other, at overlapping addresses
+     */
     fixture.described.arrays[0].unit = 24;
     fixture.described.arrays[1].unit = 16;
     assert_false(run_right(&fixture));

@@ -91,7 +91,7 @@ static void rights_of_threads(void **unused) {
     const struct sigaction executes = {.sa_sigaction = execute, .sa_flags = SA_SIGINFO};
     struct sigaction before;
     if (redcc_rights() != 0)
-        skip(); /* on a processor with keys attacks.77 tests this */
+        skip(); /* this processor has protection keys, with which attacks.77 tests the rights */
     sigaction(SIGILL, &executes, &before);
     redcc_rights_assumed = true;
     rights = 0x5c;

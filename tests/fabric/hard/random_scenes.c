@@ -320,7 +320,7 @@ static int run(const mesh *m, const scene *s, int steps, int is_worn, char *erro
 static int run_scene(unsigned seed, char *error) {
     collider colliders[2];
     mesh_problem found[MESH_PROBLEM_COUNT];
-    const int is_resumed = seed % 2 == 0; /* which takes as long again */
+    const int is_resumed = seed % 2 == 0; /* also run a saved and restored simulation */
     int non_manifold, outcome = REFUSED;
     for (int k = 0; k < 8; k++)
         random_number(&seed); /* neighbouring seeds begin with similar numbers */

@@ -8,7 +8,7 @@
 
 typedef struct machine {
     double speed[TEAM_LEVELS]; /* speed-up of each level over one thread */
-    double seconds, lost;      /* of all rounds; lost: beyond the best level's time */
+    double seconds, lost;      /* total of all rounds; its excess over the best level's total */
     unsigned random;
     int noise; /* if set, rounds take up to a fifth longer */
 } machine;
