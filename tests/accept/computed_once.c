@@ -2,7 +2,7 @@
 // Subscripts that an inspector cannot compute a second time with certainty: votes by angle, distances of pairs,
 // logarithmic bins. Each iteration is executed once, in bins or on private copies.
 // covers: row 33 of docs/constructs.md
-// MAY-RUN-SERIALLY: methods that need a plan have none here
+// MAY-RUN-SERIALLY: no plan exists for these loops, which some methods need
 #include <math.h>
 #include <string.h>
 

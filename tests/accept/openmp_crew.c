@@ -3,7 +3,7 @@
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: with OpenMP its directives sum in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #include "case.h"
 
 enum { N = 20000, M = 900, P = 40 };

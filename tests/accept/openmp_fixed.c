@@ -4,7 +4,7 @@
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: with OpenMP its directives sum in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: 31 38 48 55 64 73 82 93 105 126
 // MAY-RUN-SERIALLY: one loop is executed inside a region
 #include "case.h"

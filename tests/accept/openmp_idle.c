@@ -5,7 +5,7 @@
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -pthread
 // FLAGS: -fopenmp
-// SEQUENTIAL: with OpenMP its directives sum in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // MAY-RUN-SERIALLY: one loop runs while another thread exists
 #define _GNU_SOURCE
 #include "case.h"

@@ -2,7 +2,7 @@
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -std=gnu99
 // FLAGS: -fopenmp -std=gnu99
-// SEQUENTIAL: with OpenMP its directives sum in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // MAY-RUN-SERIALLY: clauses require it, or the loop is inside a region
 #include "case.h"
 

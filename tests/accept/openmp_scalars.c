@@ -4,7 +4,7 @@
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: with OpenMP its directives sum in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: blocks
 // MAY-RUN-SERIALLY: one loop has no iterations
 #include "case.h"

@@ -2,7 +2,7 @@
 // Loops called from several threads at once, and from inside a parallel region.
 // covers: row 55, row 72 of docs/constructs.md
 // CFLAGS: -fopenmp
-// MAY-RUN-SERIALLY: inside a parallel region it must
+// MAY-RUN-SERIALLY: inside a parallel region loops are sequential
 #include "case.h"
 
 enum { N = 6000, M = 500, CALLERS = 4 };

@@ -20,7 +20,7 @@ void __assert_fail(const char *text, const char *file, unsigned line, const char
     ((condition) ? (void)0 : __assert_fail(#condition, __FILE__, __LINE__, __func__))
 /** In another file: ends the program. */
 void fuzz_fail(void) __attribute__((noreturn));
-/** In another file: depend on values of the calling thread. */
+/** In another file: their results depend on variables of the calling thread. */
 double fuzz_level(int i) __attribute__((pure));
 double fuzz_scaled(double v) __attribute__((const));
 

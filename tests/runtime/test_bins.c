@@ -269,8 +269,8 @@ static void random_problems(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* A trial that must lose ends after one round and the sequential stretch. In a trial that gains,
- * rounds become longer. */
+/* If binning must lose its trial, it ends after one round and the sequential part of the trial. If
+ * it must gain, it continues to the end, in longer rounds. */
 static void trials(void **unused) {
     (void)unused;
     for (int l = 0; l < LOOPS; l++) {

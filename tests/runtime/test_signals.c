@@ -50,7 +50,8 @@ static void while_threads_are_made(void **unused) {
     assert_true(waits(SIGUSR1) && waits(SIGRTMIN));
     assert_int_equal(pthread_create(&thread, NULL, take_over, &waited), 0);
     assert_int_equal(pthread_join(thread, &result), 0);
-    assert_ptr_equal(result, &waited); /* in this thread all signals wait during its part */
+    /* In this thread all signals wait while it executes its part of the region. */
+    assert_ptr_equal(result, &waited);
     assert_false(waited);
     redcc_within_end(within);
     assert_false(waits(SIGUSR1) || waits(SIGTERM));

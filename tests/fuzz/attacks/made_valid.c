@@ -68,7 +68,7 @@ typedef struct own_form {
     const char *kind;
     const char *value; /* the final value of k[t]; NULL for a random subscript */
     const char *lacks;
-    const char *added; /* by the iteration */
+    const char *added; /* the iteration adds this */
     const char *reads, *guard;
 } own_form;
 

@@ -20,9 +20,9 @@ typedef struct problem {
     const float *f;   /* n values */
     const double *edges; /* EDGES ascending numbers */
     double cut;
-    double *h, *g; /* 3 values for each row; updated, may overlap v */
-    float *s;      /* one for each row; updated */
-    int *count;    /* one for each row; updated */
+    double *h, *g; /* updated arrays of 3 values for each row, which may overlap v */
+    float *s;      /* updated array of one value for each row */
+    int *count;    /* updated array of one value for each row */
     double sum;    /* a sum in addition to the arrays */
     int last;
 } problem;
