@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// redcc parses with clang, for which the loop is another than for gcc, which may compile the output.
+// redcc parses with clang, which sees another loop here than gcc, which may compile the output.
 #include <stdlib.h>
 #ifdef __clang__
 #define VALUE(t) e[t]

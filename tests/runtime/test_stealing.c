@@ -192,7 +192,7 @@ static void auto_takes_them_where_they_cost_little(void **unused) {
     assert_ptr_equal(method_by_auto(), &redcc_method_localwrite_steal);
 }
 
-/* Each cut separates one iteration in a hundred. */
+/* Each row occurs in 600 iterations, 1 % of all, which a cut next to it replicates. */
 static void auto_does_without_them_where_they_cost_more(void **unused) {
     (void)unused;
     if (redcc_settings()->method)
@@ -230,8 +230,8 @@ static void stealable_blocks_are_small_and_joined_again(void **unused) {
         const int at = cut ? (int)((cut - (uintptr_t)b) / sizeof *b) : 0;
         assert_in_range(at + 2, begins[owner], begins[owner] + 4);
     }
-    /* Each of five cuts separates one iteration. One of these cuts exists without stealable blocks,
-     * too. */
+    /* At each of five cuts one iteration is replicated. One cut exists without stealable blocks,
+     * too, so four iterations are overhead. */
     assert_true(redcc_estimate(&partition, samples, 1, &estimate));
     const double overhead = estimate.overhead * (double)ROWS;
     assert_true(overhead > 3.9 && overhead < 4.1);

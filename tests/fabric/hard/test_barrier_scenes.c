@@ -81,8 +81,8 @@ static double whole_energy(const stage *on) {
     return sum;
 }
 
-/* Two sheets fall onto a ball and the floor. The energy that a step gained beyond the work done, by
- * the monitor, must equal the gain of the total energy, and must never exceed 0. */
+/* Two sheets fall onto a ball and the floor. In each step, the monitor's energy minus the work must
+ * change by as much as the independent sum of the total energy, and must not increase. */
 static void the_account_is_closed(void **state) {
     (void)state;
     collider bodies[2] = {

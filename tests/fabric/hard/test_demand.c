@@ -43,8 +43,8 @@ static double blocks_across(const block_matrix *A) {
     return across;
 }
 
-/* Returns the memory that the simulation needs before its first step, from the sizes of its
- * parts. */
+/* Returns the memory that the simulation needs before its first step, from the sizes of its arrays.
+ * The comments name the arrays in the order of the numbers. */
 static double needed_bytes(const stage *on) {
     const simulation *sim = on->sim;
     const double vertices = on->m.vertex_count, triangles = on->m.triangle_count;
@@ -62,7 +62,7 @@ static double needed_bytes(const stage *on) {
     bytes += 8 * blocks_across(&sim->system.A);
     if (has_triangles)
         bytes += triangles * 24;
-    if (has_bend) /* arrays corner, vertex, role, block, weight, angle */
+    if (has_bend) /* corner, vertex, role, block, weight, angle */
         bytes += hinges * (16 + 16 + 16 + 40 + 8 + 8);
     if (has_bend && !s->monitor.off)
         bytes += hinges * 8 + vertices * 24;
@@ -73,7 +73,7 @@ static double needed_bytes(const stage *on) {
     if (s->collider_count > 0)
         bytes += vertices * 2 * 200;
     if (s->self_collision.gap > 0)
-        bytes += triangles * (48 + 4) + vertices * (24 + 4); /* box, owned; v and turn */
+        bytes += triangles * (48 + 4) + vertices * (24 + 4); /* box, owned; v, turn */
     return bytes;
 }
 

@@ -99,8 +99,7 @@ operand hidden_names(attack *a) {
     return (operand){text(a, "look$(tab$, (int)t)"), true, true, NULL};
 }
 
-/* ---- names declared in the loop and around it -------------------------------------------------
- */
+/* ---- names declared in the loop and around it ------------------------------------------- */
 
 typedef struct pair {
     const char *outer, *inner, *use; /* %d for a value in each */
