@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Macros that contain comments, one of them on each line. A backslash at a line's end, behind the
-// end of a comment, must not split that mark.
+// Macros that contain comments, one of them on each line. If a comment and then a backslash end a
+// line, generated text must not split the comment's end mark.
 #include "case.h"
 
 enum { N = 6000, M = 400 };
