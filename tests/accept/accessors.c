@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The element is found by a function that returns its address, from its parameters, members, rows,
-// variables of the file and other such functions; in updates, in other statements, and in operands.
-// covers: row 92
+// A function returns the element's address. It computes the address from parameters, members, rows, variables of the
+// file or other such functions. The loops use it in updates, other statements and operands.
+// covers: row 92 of docs/constructs.md
 #include "case.h"
 #include <stddef.h>
 #include <stdlib.h>
@@ -134,7 +134,7 @@ static void of_rows(int n) {
     }
 }
 
-/* The accessor says `field`, and means the file's, while private copies are written. */
+/* The accessor names the global `field`, which must stay the global while the loop writes private copies of it. */
 static void of_the_file(int n) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         *in_field(edge[i][0]) += (float)w[i];
@@ -156,7 +156,7 @@ static void of_the_file(int n) {
         *in_shifted_field(edge[i][0]) += 2;
 }
 
-/* Reads through an accessor: `field` denotes the file's even if the loop has another name for `h`. */
+/* The accessor reads the global `field`, even where the generated loop names `h` by another identifier. */
 static void in_operands(struct table *t, int n) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         h[edge[i][0]] += *in_field(i % M) * *weight(i);

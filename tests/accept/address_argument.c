@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// An element's address as an argument: &e->rest[t] reads the pointer e->rest, in every iteration.
-// covers: row 17, row 45
+// An element's address is passed as an argument: &e->rest[t] reads the pointer e->rest in every iteration.
+// covers: row 17, row 45 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000, M = 700 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Addresses in the array that are values: no method may let them lead into a private copy.
-// covers: row 41, row 44
+// The array's values are addresses of its own elements: no method may change them into addresses of a private copy.
+// covers: row 41, row 44 of docs/constructs.md
 #include "case.h"
 
 enum { N = 6000, M = 300 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The advice of docs/reasons.md on calls, followed (see advice_updates.c).
+// Loops changed as docs/reasons.md advises for calls (advice_updates.c explains BEFORE).
 // CFLAGS: -Wno-unknown-pragmas
 // INTEGERS: no
 #include <assert.h>
@@ -15,7 +15,7 @@ static double e[N], x[N], values[N], h[ROWS], g[ROWS];
 
 static int next(void) { return ++calls; }
 
-/* Keeps state that does not matter for its result. */
+/* Counts its calls in `measured`, which its result does not depend on. */
 static int measured;
 static double measure(int t) {
     measured++;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The advice of docs/reasons.md on control, followed (see advice_updates.c).
+// Loops changed as docs/reasons.md advises for control flow (advice_updates.c explains BEFORE).
 #include "case.h"
 
 enum { N = 2000, ROWS = 80 };

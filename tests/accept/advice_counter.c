@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The advice of R506, followed (see advice_updates.c): in a file that names __COUNTER__, any macro may expand to it.
+// The advice for R506 (advice_updates.c explains BEFORE): in a file that names __COUNTER__, any macro may expand to it.
 #include "case.h"
 enum { N = 2000, ROWS = 80 };
 static int s[N];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The advice of docs/reasons.md on other memory, followed (see advice_updates.c).
+// Loops changed as docs/reasons.md advises for other memory (advice_updates.c explains BEFORE).
 // CFLAGS: -Wno-unknown-pragmas
 #include <stdint.h>
 #include <string.h>
@@ -15,7 +15,7 @@ struct node {
 };
 static struct node nodes[N], *head[N];
 
-/* Three ways to say that the list is apart from the array; the third, an option, is in tests/driver/advice.sh. */
+/* Two of three ways to state that list and array do not overlap; tests/driver/advice.sh tests the third. */
 #ifdef BEFORE
 static void may_alias(int n, const int *s, double *h) {
     for (int t = 0; t < n; t++) { // BEFORE: may-alias
@@ -314,7 +314,7 @@ static void type_punned(int n) {
 #endif
 }
 
-#ifndef __x86_64__ /* where it begins at 0 in a program of Linux's */
+#ifndef __x86_64__ /* In Linux programs on x86-64 this address space begins at address 0. */
 #define __seg_gs __attribute__((address_space(256)))
 #endif
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The advice of docs/reasons.md on texts, followed (see advice_updates.c).
+// Loops changed as docs/reasons.md advises for source text (advice_updates.c explains BEFORE).
 #include <stddef.h>
 #include "case.h"
 
@@ -164,7 +164,7 @@ static int look(int t) { return table[t]; }
 
 static size_t binding(int n) {
 #ifdef BEFORE
-    size_t bytes = sizeof(enum { table = 3 }); /* from here on `table` is 3 */
+    size_t bytes = sizeof(enum { table = 3 }); /* from here on `table` means 3 */
     for (int t = 0; t < n; t++) // BEFORE: binding
         h[look(t)]++;
 #else

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The advice of docs/reasons.md on updates, followed. With -DBEFORE each loop is the page's example, which is
-// refused with the reason named; without, it is changed as the advice says: tests/run/check-advice.
+// Loops changed as docs/reasons.md advises for updates. With -DBEFORE each loop is the page's example and is
+// refused for the reason named. Without it the loop is changed as the page advises (tests/run/check-advice).
 #include <math.h>
 #include <string.h>
 #include "case.h"
@@ -34,7 +34,7 @@ static void element_type(int n) {
     }
 }
 
-/* Positions: what is counted first is a loop of redcc's; what stores by them stays. */
+/* The counting loop is transformed. The loop that uses an updated count as a subscript stays sequential. */
 static void update_value_used(int n) {
     memset(place, 0, sizeof place);
 #ifdef BEFORE
@@ -80,7 +80,7 @@ static void array_read(const int *s) {
 #endif
 }
 
-/* The element is kept in a variable while others of its array are updated. */
+/* A local variable holds the element's value while the loop updates other elements of its array. */
 static void array_read_and_kept(const int *s) {
 #ifdef BEFORE
     for (int t = ROWS / 2; t < ROWS; t++) { // BEFORE: array-read

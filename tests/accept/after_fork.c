@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A child of fork has one thread of those that a parallel region was run by: there the loop runs
-// sequentially, and does not wait for the others.
-// covers: row 72
+// A child of fork has only the thread that called fork. A parallel loop runs sequentially in the
+// child and does not wait for the parent's other threads.
+// covers: row 72 of docs/constructs.md
 // INTEGERS: no
 #include <sys/wait.h>
 #include <unistd.h>

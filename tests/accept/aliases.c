@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Pointers that may overlap: the guard sends such calls to the sequential loop.
-// covers: row 29, row 30, row 54
-// MAY-RUN-SERIALLY: the overlapping calls have to
+// Pointers that may overlap: in each call whose arrays overlap, the guard runs the sequential loop instead.
+// covers: row 29, row 30, row 54 of docs/constructs.md
+// MAY-RUN-SERIALLY: in some calls the arrays overlap
 #include "case.h"
 #include <string.h>
 
@@ -33,7 +33,7 @@ static void two_operators(double *a, double *b, const int *s, int n) {
     }
 }
 
-/* Bytes may be part of anything, the pointers themselves too. */
+/* Pointers to bytes may alias any object, the pointers in `struct image` included. */
 struct image {
     unsigned char *pixel;
     const int *at;
@@ -45,7 +45,7 @@ static void bytes(struct image *i) {
         i->pixel[i->at[t]] += 3;
 }
 
-/* The counts and the subscripts are both int: the loop may change its later reads. */
+/* Counts and subscripts are both int: the loop may change subscripts that later iterations read. */
 static void own_subscripts(int *count, const int *s, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         count[s[t]] += 1;
@@ -74,15 +74,15 @@ int main(void) {
         case_values(memory, 3 * M);
         gather_scatter(memory, memory + M, s, r, N); /* disjoint */
         show();
-        gather_scatter(memory, memory, s, r, N); /* the same array */
+        gather_scatter(memory, memory, s, r, N); /* one array for both */
         show();
-        gather_scatter(memory + 100, memory, s, r, N); /* shifted */
+        gather_scatter(memory + 100, memory, s, r, N); /* overlapping, 100 elements apart */
         show();
         for (int i = 0; i < 3 * M; i++)
             memory[i] = case_value();
         affine_source(memory, memory + M, s, M); /* disjoint */
         show();
-        affine_source(memory, memory + M - 1, s, M); /* one element */
+        affine_source(memory, memory + M - 1, s, M); /* one common element */
         show();
         two_targets(memory, memory + M, s, r, N);
         show();
@@ -100,7 +100,7 @@ int main(void) {
         show();
         picture.pixel = (unsigned char *)&picture.count;
         for (int t = 0; t < M; t++)
-            r[t] = 1; /* the second byte of the loop's trip count */
+            r[t] = 1; /* 3 added here changes the second byte of the trip count */
         picture.at = r;
         picture.count = 100;
         bytes(&picture);
@@ -120,7 +120,7 @@ int main(void) {
         show();
         for (int i = 0; i < N; i++)
             s[i] %= 30;
-        bound_in_memory(index_memory, s, &index_memory[7]); /* counts its own bound up */
+        bound_in_memory(index_memory, s, &index_memory[7]); /* updates its own bound */
         show();
         restricted(memory, memory + M, s, M);
         show();

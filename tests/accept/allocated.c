@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays returned by a function, with its result converted to their type.
-// MAY-RUN-SERIALLY: if the returned array is the one read
-// covers: row 50
+// Arrays that a function returns, whose result is converted to their type.
+// MAY-RUN-SERIALLY: one loop reads the array that it updates
+// covers: row 50 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000, M = 500 };
@@ -38,7 +38,7 @@ static void allocated(int n) {
     free(later);
 }
 
-/* It returns the local array itself. */
+/* `same` returns its argument, so `h`, `local` and `kept` are one array. */
 static void given_back(int n) {
     double local[M];
     case_values(local, M);

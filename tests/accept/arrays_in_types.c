@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The array named where its type or size counts, and where no expression of the tree shows it: in
-// the length of another array, in a typeof, in a constant of the body, in a macro that hides these.
-// covers: row 47
+// The array is named where only its type or size matters and no expression of the syntax tree shows it: in another
+// array's length, in a typeof, in a constant of the body, or in a macro that hides one of these.
+// covers: row 47 of docs/constructs.md
 #include "case.h"
 
 enum { N = 6000, M = 300 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays and structures that an iteration has for itself, and their last values.
-// covers: row 58, row 59
+// Arrays and structures that are private to an iteration, and their values after the loop.
+// covers: row 58, row 59 of docs/constructs.md
 #include "case.h"
 #include <string.h>
 
@@ -57,7 +57,7 @@ static void by_pointer(int n) {
     }
 }
 
-/* Which of its loops is transformed does not matter here; the inner one is entered often. */
+/* Either of the two loops may be transformed; the inner loop is executed many times. */
 static void variable_length(int n, int m) {
     for (int t = 0; t < n; t++) {
         double f[m];

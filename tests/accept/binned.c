@@ -1,4 +1,4 @@
-// The forms of updates that binning can split, and loops that have no form for it.
+// Forms of updates that binning can defer as records, and loops that have no binned form.
 // INTEGERS: no
 #include <math.h>
 #include <stdio.h>
@@ -59,7 +59,7 @@ static void in_rows(int n, const int *restrict at, const double *restrict w, str
             r[at[t]].x[c] += w[t] * (c + 1);
 } // BINNED: 57
 
-// What may be stale until the round is over decides where to read, or whether.
+// During a round of binning `w` may lack pending updates. Here it decides where to read, or whether to read.
 static void stale_condition(int n, const int *at, const int *deep, const double *w, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         if (w[t] > 0)
@@ -100,7 +100,7 @@ int main(void) {
     value[5] = -0.0;
     for (int i = 0; i < 3; i++) {
         counted(N, k, counts, small);
-        added(M / 2, k, h + M / 2, h); /* they overlap: the original loop runs */
+        added(M / 2, k, h + M / 2, h); /* The arrays overlap: the original loop runs. */
         added(N - 1, k, value, h);
         conditional(N, k, value, h);
         functions_of(N, k, value, 0.7, h);

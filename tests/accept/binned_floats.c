@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Rows of floats whose elements a record updates several times with double operands: each update is
- * rounded to float. gcc 12 packs neighbours and leaves that out, if it may. (Of other such loops it
- * does so in the program itself.) */
-// covers: row 41
+/* Rows of floats whose elements a record updates several times with double operands. Each update
+ * must be rounded to float. gcc 12 may vectorise neighbouring elements and omit this rounding. (In
+ * other such loops it does so in the original program as well.) */
+// covers: row 41 of docs/constructs.md
 // INTEGERS: no
 // METHODS: expansion
 #include "case.h"

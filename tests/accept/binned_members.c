@@ -1,5 +1,5 @@
-// Pairs of records: places are read and pulls updated behind one pointer, at other members. What is read
-// lies between what is updated, and is no part of it; only the sum in memory may be any of it.
+// Pairs of records: positions are read and forces updated through one pointer, as different members. The members read
+// lie between updated ones, but overlap none. Only the sum in memory may overlap any of them.
 // INTEGERS: no
 #include "case.h"
 
@@ -13,7 +13,7 @@ struct body {
 };
 static struct body *bodies, memory[N + 1];
 
-/* Members that lie one behind the other, from record to record. */
+/* The read and the updated members alternate in memory from record to record. */
 static void pull_all(int n, double *energy, double reach) {
     double dx, dy, dz, squared, f;
     int i, j;
@@ -32,7 +32,7 @@ static void pull_all(int n, double *energy, double reach) {
         }
 } // CHECKED: 20
 
-/* The contribution is computed from another member behind the same pointer, and from one that a list finds. */
+/* The contribution reads another member through the same pointer, of a record whose number a list gives. */
 static void by_list(int n, struct body *b, const int *first, const int *second) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         b[first[t]].spare[0] += b[second[t]].mass;
@@ -40,7 +40,7 @@ static void by_list(int n, struct body *b, const int *first, const int *second) 
     }
 } // BINNED: 37
 
-/* Elements of an array within the record, one part of which the loop updates. */
+/* The loop updates one element of an array within the record and reads other members. */
 static void by_parts(int n, struct body *b, const int *begin, const int *end) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int k = begin[t]; k < end[t]; k++) {
@@ -49,7 +49,7 @@ static void by_parts(int n, struct body *b, const int *begin, const int *end) {
         }
 } // BINNED: 45
 
-/* The same places by pointers to records: made where the counters are what they are in the update, */
+/* The same updates through pointers to records, which are set while the counters have their final values. */
 static void by_pointers(int n, struct body *b, double scale) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         struct body *p = &b[i];
@@ -63,7 +63,7 @@ static void by_pointers(int n, struct body *b, double scale) {
     }
 }
 
-/* before they become others, of a number that a list has, and in one branch only. */
+/* Pointers set before `k` changes, from a record number in a list, or in one branch only. */
 static void by_moved_pointers(int n, struct body *b, const int *first, const int *second) {
     struct body *r;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -81,7 +81,7 @@ static void by_moved_pointers(int n, struct body *b, const int *first, const int
     }
 }
 
-/* Of one pointer's members one may be the array, and another the sum. */
+/* The loop reads two members of `b`: `w` may alias the array and `count` the sum. */
 struct counted {
     double w, v;
     int count, other;
@@ -93,7 +93,7 @@ static void of_two_types(int n, const struct counted *b, double *g, const long *
     }
 }
 
-/* The records are behind a record's pointer, which the contribution's text names again. */
+/* The records are found through a pointer in a record, and the contribution's text names this pointer again. */
 struct system {
     struct body *all;
 };

@@ -1,5 +1,5 @@
-// Loops over constants around updates of the parts of a row: one record before the loop holds all operands.
-// Other loops get a record for each element.
+// Inner loops with constant bounds update the parts of a row. Where WIDE, one record made before the inner
+// loop holds all its operands. Other loops make a record for each element.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>
@@ -17,7 +17,7 @@ static double f[M + 4][3], g[M][3], a[M][3][3], s[M], flat[3 * M];
 static float single[M][4];
 static int counts[M][2];
 static unsigned char bytes[M][4];
-// Rows of 24 and of 48 bytes, in step.
+// Records whose members are rows of 24 and of 48 bytes.
 static struct particle {
     double force[3];
     double mass[3];
@@ -45,7 +45,7 @@ static void both_ends(int n) {
     }
 } // WIDE: 33 40
 
-// The counter is the function's; a part of the row; two loops; a value that is the counter itself.
+// The counters belong to the function. Loops cover a part of the row, contain two loops, or use the counter as a value.
 static void of_blocks(int n) {
     int r, c;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -68,7 +68,7 @@ static void of_blocks(int n) {
     }
 } // WIDE: 51 56 60
 
-// Updates that need no values, among others and alone.
+// Updates without operands, next to others and alone.
 static void without_values(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (int c = 0; c < 3; c++) {
@@ -99,7 +99,7 @@ static void of_two_arrays(int n) {
     }
 } // WIDE: 86 93
 
-// Two updates of one element, one after the other; another element in each, which may be the same.
+// Two successive updates of one element, and updates of two elements that may be the same: their order must be kept.
 static void in_order(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (int c = 0; c < 3; c++) {
@@ -165,7 +165,7 @@ static void extrema(int n, double (*restrict low)[3], double (*restrict high)[3]
     }
 } // WIDE: 159
 
-// Types: floats that are rounded between, integers that are kept as int, counters of a byte and unsigned ones.
+// Floats that each update rounds, integers that stay int, counters of one byte, and unsigned counters.
 static void types(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (unsigned c = 0; c < 4; c++) {
@@ -227,7 +227,7 @@ static void by_macro(int n, double (*restrict to)[3]) {
 } // WIDE: 217 224
 // ELEMENTS: 221
 
-// Not one row, or no loop that counts up by one over constants: elements.
+// No wide records: the elements are not one row, or no loop counts up by one between constant bounds.
 static void no_nests(int n, int m) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int c = 0; c < 3; c++)

@@ -1,5 +1,5 @@
-// Pairs of points: reads and updates have one type and are behind pointers, a helper repeats until its value
-// is in range, and sums are made in the inner loop. Reads may overlap updates.
+// Pairs of points: the pointers read and updated have one type, a helper repeats until its value is in
+// range, and the inner loop accumulates sums. Reads may overlap updates.
 // INTEGERS: no
 #include "case.h"
 
@@ -39,7 +39,7 @@ static void forces(struct points *s) {
     }
 }
 
-/* An energy that may be one of the coordinates, and a count. */
+/* `energy` may point to one of the coordinates; `near_pairs` counts. */
 static long near_pairs;
 static void energies(int n, const double *x, double *f, double *energy, double cut) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -69,11 +69,11 @@ int main(void) {
         s.y = memory + N;
         s.fx = memory + 2 * N;
         s.fy = memory + 3 * N;
-        if (round == 1) /* the last force is the first coordinate */
+        if (round == 1) /* the second y force is the first coordinate */
             s.fy = memory + 1;
         if (round == 2)
             s.fx = memory + N - 1;
-        if (round == 4) /* no number passes through all, and no pair is near it */
+        if (round == 4) /* a NaN: no pair with it is near, and its bits reach no result */
             memory[5] = __builtin_inf() - __builtin_inf();
         forces(&s);
         CASE_PRINT(memory);

@@ -1,6 +1,6 @@
-// What records hold for binning: operands in the types that they have in the expression, several of
-// them, several updates of an array; NaN, infinities, -0.0, overflow; integers that may be added up
-// in private copies, and such that may not.
+// What a binning record holds: operands in the types that they have in the expression, several
+// operands, several updates of an array; NaN, infinities, -0.0 and overflow; integers that may be
+// summed in private copies, and integers that may not.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>
@@ -105,7 +105,7 @@ static void of_two_kinds(int n) {
     }
 } // NOT-BINNED: 102
 
-// A record is applied to elements of one type; another one of the same size is not that.
+// A record is applied to elements of one type only, never to those of another type of the same size.
 static void of_one_size(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         same_size[k[t]].x += w[t];
@@ -126,7 +126,7 @@ static void too_large(int n) {
         longs[k[t]] += w[t];
 } // NOT-BINNED: 125
 
-// Integers, but no sums of integers: in private copies they would come out otherwise.
+// Integers whose update is no integer sum: sums in private copies would give other results.
 static void truncated(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         counts[k[t]] += u[t] * 3.7;
@@ -144,7 +144,7 @@ static void by_two_operators(int n) {
     }
 } // BINNED: 141
 
-// An operand is evaluated once, for the record.
+// The operand is evaluated once, when the record is made.
 static double twice(double x) {
     return x + x;
 }
@@ -153,7 +153,7 @@ static void by_functions(int n) {
         h[k[t]] = h[k[t]] * 0.5 + (fabs(w[t]) + twice(u[t]));
 } // BINNED: 152
 
-// If reads turn out to overlap writes, all results are discarded: the loop runs in order.
+// If a read turns out to overlap an update, all results are discarded and the original loop runs.
 static void read_far_away(int n, const int *at, const int *deep, const double *from, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += from[deep[t]] * 0.5;

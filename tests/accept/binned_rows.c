@@ -1,6 +1,6 @@
-// Several adjacent elements of an array, updated by one record: members of structures, components of arrays,
-// both nested; rows among other data; the order of updates of rows that may be equal; rows too large for a
-// record, of two sizes, or with only one element updated.
+// One record updates several adjacent elements of an array: members of structures, components of arrays, or
+// both nested. Also: rows among other data, the order of updates of rows that may be equal, rows too large
+// for a record, rows of two sizes, and rows of which only one element is updated.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>
@@ -63,7 +63,7 @@ static void components(int n) {
     }
 } // WIDE: 58
 
-// Nothing may be moved past an update of the same element by another name.
+// No update may be moved past an update of the same element through another subscript.
 static void in_turns(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         force[i1[t]].x += w[t];
@@ -200,8 +200,8 @@ static void by_macro(int n, struct vector *restrict to) {
     }
 } // WIDE: 197
 
-// Elements, as before: rows of two sizes; one element of each row; rows that are no whole number of
-// elements; more values than a record holds.
+// These loops get records of single elements: rows of two sizes, one updated element per row, rows
+// that are no whole number of elements, more values than a record holds.
 static void no_rows(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         grid[i1[t] / 10][i2[t] % 10][0] += w[t];
@@ -232,7 +232,7 @@ static void out_of_step(int n) {
     }
 } // NOT-BINNED: 229
 
-// More updates of one row than a record makes.
+// More updates of one row than a record can hold.
 static void many(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         wide[i1[t]].many[0] += 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows of arrays in bins: an inner loop over one is a record, whose operands are read when it is applied. Rows of two
-// dimensions, flat ones, of records, that overlap, before the array's base; centres that loops over constants read;
-// values that the inner loop's header sets, which the record cannot keep.
+// Rows of arrays in bins: an inner loop over a row becomes one record, whose operands are read when it is applied.
+// Rows are two-dimensional, flat, of records, overlapping, or before the array's base. Loops over constants read
+// centres. In other loops the inner header sets values that the record cannot hold.
 #include <math.h>
 
 #include "case.h"
@@ -15,7 +15,7 @@ static struct sums {
     int counts[CENTRES], changes;
 } sums[1];
 
-/* One update in memory, own elements, and counters beside a row. */
+/* One sum in memory, own elements (`to[p]`), and counters in addition to the row. */
 static void kmeans(int n, const float (*x)[D], const float (*centre)[D], int *to, struct sums *its) {
     for (int p = 0; p < n; p++) { // EXPECT: transformed
         float least = 1e30f;
@@ -38,7 +38,7 @@ static void kmeans(int n, const float (*x)[D], const float (*centre)[D], int *to
     }
 } // BINNED: 20
 
-/* The last centres are not read by all points; a loop that may end before them reads as far as it goes. */
+/* Not all points read the last centres: a loop that may end early reads only as far as it runs. */
 static void kmeans_early(int n, const float (*x)[D], const float (*centre)[D], float (*to)[D], int *counts) {
     for (int p = 0; p < n; p++) { // EXPECT: transformed
         int nearest = 0;
@@ -60,14 +60,14 @@ static void of_numbers(int n, int d, double *to, const int *at, const double *by
             to[at[t] * d + j] += by[t] * (j + 1);
 } // BINNED: 58
 
-/* Each element belongs to several rows, and the next value depends on the last. */
+/* Each element belongs to several rows, and its next value depends on the previous one. */
 static void overlapping(int n, int d) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int j = 0; j < d; j++)
             all[2 * key[t] + j] = w[t] - all[2 * key[t] + j] * 0.5;
 } // BINNED: 65
 
-/* Lengths of the iteration, a first element that is not 0, rows of variable length. */
+/* Lengths that differ from iteration to iteration, a first subscript other than 0, and rows of variable length. */
 static void lengths(int n, double (*to)[D + 3]) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const double scale = w[t] * 0.25;
@@ -77,14 +77,14 @@ static void lengths(int n, double (*to)[D + 3]) {
     }
 }
 
-/* From the middle of an array on. */
+/* Rows at negative offsets from the pointer, which points into an array. */
 static void middle(int n, int d, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int j = 0; j < d; j++)
             to[(key[t] - ROWS / 2) * 8 + j] -= 2 * w[t];
 } // BINNED: 82
 
-/* The header sets more than its counter: an operand, the row, the bound. */
+/* The inner header sets more than its counter: an operand, the row, or the bound. */
 static void sets_operand(int n, int d) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int j;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The loops of binned_rows_of_arrays.c where points or centres are sums as well: found before any of them changes.
-// MAY-RUN-SERIALLY: reads that overlap
+// The loops of binned_rows_of_arrays.c with points or centres that are sums. A guard detects the overlap in time.
+// MAY-RUN-SERIALLY: reads overlap updates
 #define _GNU_SOURCE
 #include <sys/mman.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ static struct sums {
     int counts[CENTRES], changes;
 } sums[1];
 
-/* One update in memory, own elements, and counters beside a row. */
+/* One sum in memory, own elements (`to[p]`), and counters in addition to the row. */
 static void kmeans(int n, const float (*x)[D], const float (*centre)[D], int *to, struct sums *its) {
     for (int p = 0; p < n; p++) { // EXPECT: transformed
         float least = 1e30f;
@@ -39,7 +39,7 @@ static void kmeans(int n, const float (*x)[D], const float (*centre)[D], int *to
     }
 }
 
-/* The last centres are not read by all points; a loop that may end before them reads as far as it goes. */
+/* Not all points read the last centres: a loop that may end early reads only as far as it runs. */
 static void kmeans_early(int n, const float (*x)[D], const float (*centre)[D], float (*to)[D], int *counts) {
     for (int p = 0; p < n; p++) { // EXPECT: transformed
         int nearest = 0;
@@ -61,13 +61,13 @@ static void of_numbers(int n, int d, double *to, const int *at, const double *by
             to[at[t] * d + j] += by[t] * (j + 1);
 }
 
-/* Rows of the whole record, from its row number `row` on. */
+/* Returns rows that begin `row` rows after the start of `*sums`. */
 static float (*rows_from(int row))[D] {
     return (float(*)[D])((char *)sums + (size_t)row * sizeof *sums->sums);
 }
 
 int main(void) {
-    /* Rows 0 to 4 of centres, after which the loop ends, and then no memory. */
+    /* `few`: only rows 0 to 4 of centres are mapped, and the loop ends there. */
     const long page = sysconf(_SC_PAGESIZE);
     char *memory = mmap(NULL, 2 * (size_t)page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     float(*few)[D] = (float(*)[D])(memory + page) - 5;
@@ -86,7 +86,7 @@ int main(void) {
     for (int round = 0; round < 3; round++) {
         kmeans(CENTRES, sums->sums, centres, member, sums);
         kmeans(N, points, sums->sums, member, sums);
-        /* The last row that the constant loop reads, and no other. */
+        /* First only the last row that the loop over centres reads is a sum, then several rows or none. */
         kmeans(N, points, rows_from(1), member, sums);
         kmeans(N, points, rows_from(0), member, sums);
         kmeans(N, points, rows_from(2 * CENTRES - 1), member, sums);

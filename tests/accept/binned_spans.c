@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows behind pointers in bins: an inner loop over a row is one record, whose operands are read when it is applied.
-// k-means, rows that overlap each other, bounds of the iteration, operands of the iteration, conditions; floats may
-// overlap floats.
-// MAY-RUN-SERIALLY: reads and rows that overlap
+// Rows behind pointers in bins: an inner loop over a row becomes one record, whose operands are read when it is
+// applied. The loops are k-means, overlapping rows, bounds and operands that depend on the iteration, conditions,
+// and floats that may overlap other floats.
+// MAY-RUN-SERIALLY: reads overlap rows, or rows each other
 #include <math.h>
 #include <string.h>
 
@@ -78,14 +78,14 @@ static void conditions(int n, int d) {
     }
 }
 
-/* Members of records are not next to each other. */
+/* The members updated are not adjacent. */
 static void records(int n, int d) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int j = 0; j < d; j++)
             balls[key[t]][j].spin[1] += w[t];
 }
 
-/* Centres that only some iterations read, not the first ones; or others than these. */
+/* Only some iterations read centres, but not the first ones; or some iterations read other centres. */
 static void sometimes(int n, int d, float **p, float **from, float **to, int *members) {
     int k, j;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -118,7 +118,7 @@ static void after(int n, int d, float **p, float **from, float **to, int *member
     }
 }
 
-/* One thread executes each inner iteration, because of errno: rows of records have no spans then. */
+/* Since exp may set errno, one thread executes each inner iteration. Rows of records then have no spans. */
 static void led(int n, const int *many, const int *k, const int (*list)[4], const double *x, double *to, double (*rows)[D + 2]) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (int i = 0; i < many[t] % 4; i++) {
@@ -157,7 +157,7 @@ int main(void) {
         balls[k] = ball[(k * 11) % ROWS];
         apart[k] = wide[(k * 7) % ROWS];
     }
-    apart[5] = apart[9]; /* one row, twice */
+    apart[5] = apart[9]; /* rows 5 and 9 are the same */
     for (int round = 0; round < 4; round++) {
         printf("%a\n", kmeans(N - round, D, point, centre, sum, member, count));
         overlapping(N, D);
@@ -178,9 +178,9 @@ int main(void) {
                 centres[k][j] = sums[k][j] / (float)(count[k] + 1);
         w[round * 5] *= 2;
     }
-    /* Sums that are centres as well. */
+    /* The sums are the centres as well. */
     printf("%a\n", kmeans(N, D, point, sum, sum, member, count));
-    /* The nearest sum depends on those added before. */
+    /* The nearest centre depends on sums updated before. */
     float **either[2] = {centre, same + 32};
     memset(sums, 0, sizeof sums);
     sometimes(N, D, point, same + 32, sum, count);
@@ -190,7 +190,7 @@ int main(void) {
     CASE_PRINT(sums);
     memset(sums, 0, sizeof sums);
     after(N, D, point, same + 32, sum, count);
-    /* Points that are sums: a stale point leads elsewhere. */
+    /* Points that are sums: a point read too early would select another row. */
     for (int t = 0; t < 40; t++)
         point[t * 3 + 5] = sums[t % CENTRES];
     printf("%a\n", kmeans(N, D, point, centre, sum, member, count));

@@ -1,5 +1,5 @@
-// Binning executes a body before its reads are compared with its writes; if stale values could be harmful, they
-// are compared before. `w` may overlap `to`; int is no long.
+// Binning computes contributions before its overlap check, which compares reads with writes. Where outdated
+// values could be harmful, the check comes first. `w` may overlap `to`; an int cannot overlap a long.
 // INTEGERS: no
 #include <stdio.h>
 
@@ -129,7 +129,7 @@ static void lengths(int n, const int *at, const int *count, const long *w, long 
             to[at[t]] += w[t] * i;
 } // BINNED: 127
 
-// An update under a condition on its own element: the record keeps the place. Bytes may overlap all.
+// An update under a condition on its own element: the record holds the subscript. Bytes may alias anything.
 static void saturated(int n, const unsigned *at, unsigned char *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const unsigned value = at[t] & 63;
@@ -151,7 +151,7 @@ int main(void) {
         numbers[t % 8] = t;
     }
     for (int round = 0; round < 3; round++) {
-        /* in the second round they overlap: the last element written is the first one read */
+        /* in the second round `w` and `to` overlap: the first element read is the last one written */
         const long *w = round == 1 ? to + M - 1 : values;
         for (int i = 0; i < M + N; i++)
             to[i] = i % 50;

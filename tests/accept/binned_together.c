@@ -1,6 +1,6 @@
-// Several arrays updated at one subscript: one record for all of them, if each is updated only together with
-// the others; sums, counts, minima, functions of the element; arrays of other types; subscripts that only look
-// equal; more arrays, and more operands, than fit in a record.
+// Several arrays are updated at one subscript. One record serves all of them if each is updated only together
+// with the others. Sums, counts, minima, functions of the element, arrays of several types, different
+// subscripts of equal text, and more arrays or operands than a record can hold.
 // INTEGERS: no
 // CFLAGS: -Wno-implicit-fallthrough
 #include <math.h>
@@ -264,7 +264,7 @@ static void show_all(void) {
     SHOW(p0), SHOW(p1), SHOW(p2), SHOW(p3), SHOW(p4), SHOW(p5);
 }
 
-// The number that is none as the processor makes it: with the same bits wherever it comes from.
+// A NaN with the bits that the processor gives its own NaNs: results do not depend on where it arose.
 static void odd_numbers(void) {
     volatile double infinite = INFINITY;
     w[11] = infinite - infinite, w[12] = -INFINITY, w[13] = INFINITY, w[14] = -0.0, w[15] = 1.7e308;

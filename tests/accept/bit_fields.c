@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Bit-fields have no address: if one is read, the enclosing structure is recorded.
-// covers: row 43
+// Bit-fields have no address. If the loop reads one, the guard records the enclosing structure.
+// covers: row 43 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000 };
@@ -37,7 +37,7 @@ int main(void) {
     }
     pointer(N, edges, h);
     nested(N, beside, g);
-    edges[3].from = 499; /* a kept plan may not be used again */
+    edges[3].from = 499; /* the plan of the last call must not be reused */
     pointer(N, edges, h);
     case_print("h", h, sizeof h);
     case_print("g", g, sizeof g);

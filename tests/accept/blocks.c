@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops over pairs of blocks: rows are recorded block by block, and pairs of others' blocks are skipped.
-// covers: row 47, row 48
+// Loops over pairs of blocks: the inspector records rows by block; a thread skips pairs in which it owns no row.
+// covers: row 47, row 48 of docs/constructs.md
 // INTEGERS: no
 #include "case.h"
 #include <math.h>
@@ -16,7 +16,7 @@ static struct record {
     double before[5], sum, behind[3];
 } record[ROWS];
 
-/* A molecular dynamics program's force loop: halo blocks behind the others, only written to. */
+/* A molecular dynamics force loop. Halo blocks, numbered from `blocks` on, are updated but are not iterated over. */
 static void cells(int blocks, double cut) {
     for (int b = 0; b < blocks; b++) { // EXPECT: transformed
         int mine = count[b];
@@ -48,7 +48,7 @@ static void cells(int blocks, double cut) {
     }
 }
 
-/* Up to the bound and with it, from other numbers than 0; what goes along is wider. */
+/* Inclusive bounds, counters that begin at other values than 0, and a wider secondary counter `q`. */
 static void with_the_bound(int blocks) {
     for (int b = 0; b < blocks; b++) { // EXPECT: transformed
         for (int k = 1; k < NEAR; k += 2) {
@@ -63,7 +63,7 @@ static void with_the_bound(int blocks) {
     }
 }
 
-/* Members of records: other members lie between them. */
+/* Updated members of records: other members lie between them. */
 static void records(int blocks) {
     for (int b = 0; b < blocks; b++) { // EXPECT: transformed
         for (int k = 0; k < NEAR; k++) {
@@ -76,7 +76,7 @@ static void records(int blocks) {
     }
 }
 
-/* A part of each record: the rows of a block lie a record apart. */
+/* One updated member per record: consecutive rows of a block are one record apart. */
 static void parts(int blocks) {
     for (int b = 0; b < blocks; b++) // EXPECT: transformed
         for (int k = 0; k < NEAR; k++) {
@@ -90,7 +90,7 @@ static void parts(int blocks) {
         }
 }
 
-/* The secondary counter is used after the loop: its value is the next subscript. */
+/* The value of the secondary counter after the loop is part of the next subscript. */
 static void asked_afterwards(int blocks) {
     int q, j;
     for (int b = 0; b < blocks; b++) // EXPECT: transformed
@@ -102,7 +102,7 @@ static void asked_afterwards(int blocks) {
         }
 }
 
-/* One variable steps in two loops of a block. */
+/* One variable is the counter of two loops in a block. */
 static void twice(int blocks) {
     for (int b = 0; b < blocks; b++) { // EXPECT: transformed
         int k, q;
@@ -117,7 +117,7 @@ static void twice(int blocks) {
     }
 }
 
-/* No blocks: both steps in a row's number, steps of the body's own, bounds of the outer loop. */
+/* No blocks: two counters in one subscript, steps within the body, or bounds that the outer loop changes. */
 static void others(int blocks) {
     for (int b = 0; b < blocks; b++) // EXPECT: transformed
         for (int k = 0; k < 3; k++) {
@@ -140,7 +140,7 @@ static void others(int blocks) {
         for (int k = 0; k < 3; k++) {
             unsigned char q = (unsigned char)(near[b][k] + 250);
             for (int j = 0; j < 12; j++, q++)
-                u[q] += r[b][2]; /* 255 + 1 is 0 */
+                u[q] += r[b][2]; /* unsigned char: 255 + 1 is 0 */
         }
     for (int b = 0; b < blocks; b++) // EXPECT: transformed
         for (int k = 0; k < NEAR; k++) {

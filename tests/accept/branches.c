@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Conditional directives in a loop's text, and groups of them directly above it: the written text consists of
-// the branches compiled here. (Other compilations: attack 47.)
-// covers: row 3
+// Conditional directives within a loop and directly above it. The generated text contains only the branches
+// that this compilation selects. (tests/attacks tests other compilations, in case 47.)
+// covers: row 3 of docs/constructs.md
 #include "case.h"
 
 #define HAS_WEIGHTS 1
@@ -54,7 +54,7 @@ static void nested(int n, struct mesh *m) {
     }
 }
 
-/* Branches that are no C by themselves. */
+/* Branches that are not complete statements. */
 static void pieces(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
 #if 0
@@ -125,7 +125,7 @@ static double sum_beside(int n) {
     return sum;
 }
 
-/* Pragmas of this compilation and of another. */
+/* Pragmas that this compilation selects and pragmas that it does not. */
 static void pragmas(int n) {
 #ifndef NDEBUG
 #ifdef CHECKED
@@ -150,7 +150,7 @@ static void pragmas(int n) {
         counted[s[t]] += 3;
 }
 
-/* Versions of the function, one of which is compiled: what stands above the loop in another. */
+/* Preprocessor branches with two versions of the function. In the other version a declaration precedes the loop. */
 static void other_versions(int n) {
 #ifdef WITH_THREADS
     for (int t = 0; t < n; t++)
@@ -178,7 +178,7 @@ static void floating_subscript(int n) {
     }
 }
 
-/* Hints for a compiler, which the copy omits. */
+/* Pragmas that are hints for the compiler: the generated copy omits them. */
 static void hints(int n) {
     for (int t = 0; t < n; t += 2) { // EXPECT: transformed
 #pragma GCC ivdep

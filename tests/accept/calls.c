@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions in the loop: results, and results through pointers.
-// covers: row 15, row 17
+// Functions called in the loop that return results or store them through pointers.
+// covers: row 15, row 17 of docs/constructs.md
 // COMPILERS: gcc clang-19
 // INTEGERS: no
 #include "case.h"

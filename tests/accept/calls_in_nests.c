@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that update, called in nests: inner loops set the range of the subscripts.
-// covers: row 17
+// Nests that call functions which make the updates: the inner loops set the range of the subscripts.
+// covers: row 17 of docs/constructs.md
 // COMPILERS: gcc clang-19
 // INTEGERS: no
 #include "case.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Shared by the programs of tests/accept: input values from a fixed generator, and hashes of all the bytes a program computed.
- * CASE_INTEGERS=1 in the environment makes all values small integers, so that sums do not depend on the order in which they are
- * made.
+ * Shared by the programs of tests/accept: input values from a fixed generator, and hashes of all the bytes that a
+ * program computed. CASE_INTEGERS=1 in the environment makes all values small integers, whose sums do not depend on the
+ * order of the additions.
  */
 #ifndef CASE_H
 #define CASE_H
@@ -23,7 +23,7 @@ static inline int case_below(int n) {
     return (int)(case_random() % (uint64_t)n);
 }
 
-/* In (-1, 1) with all bits of a double in use, over several binades; or in -4 ... 4. */
+/* Returns a value in (-1, 1) with all bits of a double in use; with CASE_INTEGERS, an integer in -4 ... 4. */
 static inline double case_value(void) {
     static int is_integer = -1;
     if (is_integer < 0)
@@ -44,7 +44,7 @@ static inline void case_subscripts(int *s, long n, int below) {
         s[i] = case_below(below);
 }
 
-/* Neighbours mostly, as in a sorted mesh. */
+/* Sets subscripts mostly near i * below / n, as in a sorted mesh. */
 static inline void case_near_subscripts(int *s, long n, int below) {
     for (long i = 0; i < n; i++) {
         const long near = i * below / n + case_below(40) - 20;

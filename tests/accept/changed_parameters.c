@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// MAY-RUN-SERIALLY: where tables overlap the updates
-// Look-ups that change their parameters, or set a local variable several times, before it becomes a subscript. The
-// table may be what is updated: with other subscripts, it would not be noticed.
+// MAY-RUN-SERIALLY: tables may overlap the updated array
+// Look-up functions that change their parameters, or set a local variable several times, before they use it as a
+// subscript. The table may be the updated array; only correct subscripts reveal that.
 #include "case.h"
 
 enum { N = 3000, CELLS = 90, FAR = 40 };
@@ -14,7 +14,7 @@ struct table {
 static int s[N], k[N], list[N][3];
 static float z[N], memory[40 * CELLS], elsewhere[40 * CELLS];
 
-/* Scaled in place, as gridding programs look up a window's weights. */
+/* Scales `v` in place, as gridding programs do to look up a window's weights. */
 static float scaled(float v, const float *table, int size, float per_cell) {
     unsigned at;
     float from;
@@ -29,7 +29,7 @@ static void grid(int n, float *b, const float *table) {
         b[s[t]] += scaled(z[t], table, CELLS - 2, 1.0f);
 }
 
-/* Clamped at both ends. */
+/* Clamps the subscript at both ends. */
 static float clamped(const struct table *in, int at) {
     if (at > in->last)
         at = in->last;
@@ -43,7 +43,7 @@ static void clamps(int n, float *b, const struct table *in) {
         b[s[t]] += clamped(in, k[t]);
 }
 
-/* Reflected, by branches in branches; a sign that is no subscript. */
+/* Reflects the subscript in nested branches; `sign` changes too, but is not a subscript. */
 static float reflected(const float *table, int at, int last) {
     float sign = 1;
     if (at < 0) {
@@ -63,7 +63,7 @@ static void reflects(int n, float *b, const float *table) {
         b[s[t]] -= reflected(table, k[t], CELLS - 1);
 }
 
-/* A narrow one wraps; a value narrower than its expression is cut. */
+/* A narrow subscript wraps around, and the conversion to short cuts off bits. */
 static float narrow(const float *table, unsigned char at, double w) {
     short cut;
     at += 200;
@@ -77,7 +77,7 @@ static void narrows(int n, float *b, const float *table) {
         b[s[t]] += narrow(table, (unsigned char)(55 + CELLS - s[t]), z[t]);
 }
 
-/* In each turn of a loop of its own. */
+/* Reads the table in a loop, at a subscript that each turn computes. */
 static float in_turns(const float *table, const int *at, int shift) {
     float sum = 0;
     shift = shift % 5;
@@ -95,7 +95,7 @@ static void turns(int n, float *b, const float *table, const int (*nodes)[3]) {
         b[s[t]] += in_turns(table, nodes[t], t);
 }
 
-/* Not every call comes as far as the table. */
+/* Some calls return before they read the table. */
 static float some(const float *table, int at) {
     if (at < 0)
         return 0;
@@ -116,7 +116,7 @@ static void sometimes(int n, float *b, const float *table) {
         b[s[t]] += some(table, k[t] - 3);
 }
 
-/* Changed by a value that is read elsewhere first; a declaration that uses what it declared. */
+/* `at` is replaced by a value of another table; `half` is initialised from `twice`, declared just before it. */
 static float by_tables(const float *table, const int *first, int at) {
     at = first[at];
     const int twice = 2 * at, half = twice / 4;
@@ -149,7 +149,7 @@ int main(void) {
     case_subscripts(s, N, CELLS);
     for (int t = 0; t < N; t++) {
         z[t] = (float)case_below(1000) / 1000;
-        k[t] = FAR * (CELLS - 1) + case_below(CELLS - 1); /* beyond the table, if not changed */
+        k[t] = FAR * (CELLS - 1) + case_below(CELLS - 1); /* beyond the table unless the function reduces it */
         for (int a = 0; a < 3; a++)
             list[t][a] = case_below(40 * CELLS - 5);
     }
@@ -159,7 +159,7 @@ int main(void) {
         CASE_PRINT(memory);
     }
     fill();
-    all(memory, memory); /* and in the memory that is updated */
+    all(memory, memory); /* the table is in the updated memory */
     CASE_PRINT(memory);
     return 0;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Macros with comments of their own, one on each line: a line's end behind a comment's mark splits
-// no mark.
+// Macros that contain comments, one of them on each line. If a comment and then a backslash end a
+// line, generated text must not split the comment's end mark.
 #include "case.h"
 
 enum { N = 6000, M = 400 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The program asks for the compiler, but is the same for all.
-// covers: row 2
+// The program tests which compiler is used, but means the same under all of them.
+// covers: row 2 of docs/constructs.md
 #include "case.h"
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts that no inspector can compute a second time: votes by angle, distances of pairs, bins
-// of logarithms. Each iteration is executed once, in bins or on private copies.
-// covers: row 33
-// MAY-RUN-SERIALLY: methods with plans
+// Subscripts that an inspector cannot compute a second time with certainty: votes by angle, distances of pairs,
+// logarithmic bins. Each iteration is executed once, in bins or on private copies.
+// covers: row 33 of docs/constructs.md
+// MAY-RUN-SERIALLY: no plan exists for these loops, which some methods need
 #include <math.h>
 #include <string.h>
 
@@ -63,7 +63,7 @@ static void through_a_pointer(int n) {
     }
 } // BINNED: 59
 
-/* The condition protects the load, and cannot be computed twice. */
+/* The condition protects the load from `map`, and exp cannot be evaluated a second time. */
 static void under_a_condition(int n, const int *map) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         if (exp(x[t]) < 2.0)
@@ -87,7 +87,7 @@ static double with_sums(int n) {
     return sum + most;
 } // BINNED: 80
 
-/* Votes of the pixels that are set. These may overlap the votes; all else belongs to the vote alone. */
+/* Each set pixel votes. Pixels may overlap the votes; everything else is private to a vote. */
 static void edges(int n, int width, const unsigned char *set, int *vote) {
     int row, column, angle, rho;
     for (row = 0; row < n; row++) // EXPECT: transformed
@@ -121,7 +121,7 @@ int main(void) {
         hough(SIDE * SIDE, image, votes);
         distances(FEW, 0.002);
         logarithms(N, x, h);
-        logarithms(N - 7, shared, shared + 100); /* they overlap */
+        logarithms(N - 7, shared, shared + 100); /* the arrays overlap */
         extended(N);
         by_function(N);
         through_a_pointer(N);
@@ -131,7 +131,7 @@ int main(void) {
             set[i] = i % 7 == round ? 255 : (unsigned char)i;
             marks[i] = i % 5 == round ? -1 : i;
         }
-        edges(SIDE, SIDE, (const unsigned char *)marks + 1800, marks); /* they overlap */
+        edges(SIDE, SIDE, (const unsigned char *)marks + 1800, marks); /* pixels and votes overlap */
         edges(SIDE, SIDE, set, marks);
         CASE_PRINT(marks);
         CASE_PRINT(votes);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Updates under conditions, in branches, in inner loops that may have no round.
-// covers: row 35, row 5, row 7
+// Updates under conditions, in branches, and in inner loops that may have no iteration.
+// covers: row 35, row 5, row 7 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 700 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that meet without a subscript out of a table: by pointers that are loaded, windows,
-// cells, pairs.
-// covers: row 95
+// Iterations that update the same elements, though no table gives the subscripts. The elements are
+// found through loaded pointers, windows, cells and pairs.
+// covers: row 95 of docs/constructs.md
 // THREADS: 1 2 3 7 16 33
 #include "case.h"
 
@@ -23,7 +23,7 @@ static double *entry[N], h[ROWS], grid[WIDE * WIDE], e[N], r[CELLS * ROOM], forc
 static double point[POINTS], sum[POINTS];
 static int s[N], u[N], count[CELLS], next_cell[CELLS][3];
 
-/* ---- pointers that are loaded ---- */
+/* ---- loaded pointers ---- */
 
 static void bonds_of_atoms(int n, const struct bond *bond) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed

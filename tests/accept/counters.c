@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loop headers: directions, steps, comparisons, types, counters that outlive the loop, no trip.
-// covers: row 8, row 9, row 11, row 53, row 7
+// Loop headers: directions, steps, comparisons, types, counters used after the loop, loops without iterations.
+// covers: row 8, row 9, row 11, row 53, row 7 of docs/constructs.md
 #include "case.h"
 #include <stddef.h>
 

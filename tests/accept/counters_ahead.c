@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The header compares the counter plus a constant with the bound: i + 1 < n. Bounds of 0 and less than the
-// constant, of the largest numbers of their types, first values beyond the bound.
-// covers: row 8
-// covers: row 10
+// The header compares the counter plus a constant with the bound: i + 1 < n. Bounds at or below 0, bounds
+// below the constant or at the limits of their types, and first values beyond the bound.
+// covers: row 8 of docs/constructs.md
+// covers: row 10 of docs/constructs.md
 #include "case.h"
 #include <limits.h>
 #include <stddef.h>
@@ -40,7 +40,7 @@ static unsigned natural(unsigned from, unsigned n) {
     return i;
 }
 
-/* The sum wraps around before the first iteration: then the original loop runs. */
+/* If i + 4u wraps around at the first iteration, the original loop runs. */
 static unsigned wrapped(unsigned from, unsigned n) {
     unsigned i;
     for (i = from; i + 4u < n; i++) // EXPECT: transformed

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Branches that are never executed, since a function always returns the same, or by a constant: messages, exits, jumps and
-// variables of their own in them do not matter. Elements spelled as sums of pointers, of local tables as well.
+// Branches that are never executed, because of a constant or a function that always returns one value. Messages, exits,
+// jumps and local variables in them do not matter. Elements are written as sums of pointers.
 // INTEGERS: no
-// covers: row 98
+// covers: row 98 of docs/constructs.md
 
 #include <stdbool.h>
 #include <string.h>
@@ -110,7 +110,7 @@ __attribute__((noipa)) static int by_constant(int n) {
     return seen;
 }
 
-/* From one branch to the next, and in another block. */
+/* `again` passes the result of one dead branch to a condition in another block. */
 __attribute__((noipa)) static void in_blocks(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         double u[K] = {0.0, v[t], 1.0, 2.0}, p[K];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Stores of the iteration's own element, when updated array and source are equal, or overlap in part: the loop
-// stays sequential.
-// covers: row 93
-// MAY-RUN-SERIALLY: it must
+// Each iteration stores to its own element. Where the updated array overlaps the array read, in part or
+// entirely, the loop stays sequential.
+// covers: row 93 of docs/constructs.md
+// MAY-RUN-SERIALLY: arrays overlap
 #include "case.h"
 
 enum { N = 12000, M = 900 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The iteration's own element is read, then stored to: the stores are made after all iterations.
-// covers: row 93
+// The iteration's own element is read and then stored to. The stores are made after all iterations.
+// covers: row 93 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 900 };
@@ -15,7 +15,7 @@ static void to_zero(int n, const int *r, double *y, double *t) {
     }
 }
 
-/* As a supernodal factorisation writes it. */
+/* The form that a supernodal factorisation has. */
 static void to_nothing(int n, int from, int begin, const int *sub, double *dense, double *all) {
     const double nothing = 0.0;
     double *part = &all[begin];

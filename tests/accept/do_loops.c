@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that ask after an iteration whether there is another: how many there are, also where the
-// first value does not meet the condition, and the counter's value after them.
-// covers: row 91
+// Loops that test the condition after each iteration: their trip count, also where the first value
+// does not satisfy the condition, and the counter's value after the loop.
+// covers: row 91 of docs/constructs.md
 #include <limits.h>
 
 #include "case.h"
@@ -162,7 +162,7 @@ int main(void) {
             sum = 3 * sum + (unsigned long)(up_behind(n - 2) + pointers(s, s + n, e));
             sum = 3 * sum + (unsigned long)(counts_beside(n) + several(2, n) + by_branches(n));
         }
-        /* One iteration, whatever the bound. */
+        /* One iteration, whatever the bound is. */
         const struct sizes none = {0, -5};
         sum = 3 * sum + (unsigned long)(down_to_zero(0) + asked_before_the_step(0));
         sum = 3 * sum + asked_before_the_step_unsigned(0) + down_above(5, 9);

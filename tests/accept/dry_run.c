@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The slice's reads may go through an array that the loop updates, according to the analysis: all iterations
-// are recorded in order before they are inspected. With disjoint arrays, and with overlapping ones.
-// MAY-RUN-SERIALLY: expected for the overlapping ones
+// As far as the analysis knows, the slice may read an array that the loop updates. A dry run records all
+// iterations in order before the inspection. Arrays are disjoint in some calls and overlap in others.
+// MAY-RUN-SERIALLY: in some calls the arrays overlap
 #include "case.h"
 
 #include <string.h>
@@ -40,7 +40,7 @@ static void one_by_another(int n, int *count, const int *s, const int *add, cons
     }
 }
 
-/* The slice is in place: the loop leaves a value. */
+/* The slice cannot be a separate function here, since the loop leaves the value `last`. */
 static int in_place(int n, int *count, const int *m, const int *at, int one) {
     int last = -1;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -73,7 +73,7 @@ static void apart(void) {
     CASE_PRINT(to);
 }
 
-/* Each iteration makes the next one's read valid. */
+/* Without the updates of earlier iterations, each subscript is out of bounds. */
 static void not_apart(void) {
     const int far = 1000000000;
     for (int t = 0; t < N; t++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that may leave the loop: by return, break, goto, exit, an assertion, from the loop itself and from
-// an inner one; and iterations with a message that go on. If none does the loop runs in parallel; if one does, at the first iteration, in the middle, at
-// the last, the result is that of the sequential loop, and messages appear in their places.
+// Iterations that may leave the loop by return, break, goto, exit or an assertion, in the loop itself or in an inner
+// one, and iterations that print a message and continue. If no iteration leaves, the loop runs in parallel. If the
+// first, a middle or the last one leaves, the result is that of the sequential loop, and messages appear in order.
 // INTEGERS: no
 // COMPILERS: gcc clang-19
 #include <assert.h>
@@ -76,7 +76,7 @@ __attribute__((noinline)) static void by_exit(int n) {
     }
 }
 
-/* What leads past a condition leads past what traps in it. */
+/* A jump that skips a condition also skips the division in it, which may trap. */
 __attribute__((noinline)) static int by_quotient(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int i = k[t];
@@ -109,7 +109,7 @@ static void warn(const char *where, int t) {
     fprintf(stdout, "%s: %d\n", where, t);
 }
 
-/* They continue after the message. */
+/* The iterations continue after the message. */
 __attribute__((noinline)) static int by_message(int n) {
     int here = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -191,14 +191,14 @@ static void run(const char *name) {
     fflush(stdout);
 }
 
-/* Sees the updates of the iterations before. */
+/* Prints the updates of all earlier iterations. */
 static void at_abort(int number) {
     (void)number;
     case_print("aborted", h, sizeof h);
     exit(0);
 }
 
-/* What ends the process does so in a child. */
+/* Runs in a child process, since an exit or an abort ends the process. */
 static void run_in_child(const char *name) {
     const pid_t child = fork();
     int status = 0;

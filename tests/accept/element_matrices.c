@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Element matrices added into a sparse matrix: the position of an entry is searched for in its row, which is
-// found through a table.
-// covers: row 5, row 7
+// Element matrices are added into a sparse matrix. The position of an entry is searched for in its row,
+// which a table gives.
+// covers: row 5, row 7 of docs/constructs.md
 #include "case.h"
 
 enum { NODES = 1500, ELEMENTS = 2000, CORNERS = 4, MOST = 40 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements of every arithmetic type that is accumulated.
-// covers: row 39, row 40
+// Updated elements of every arithmetic type.
+// covers: row 39, row 40 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 700 };

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // With -ffast-math two copies of a subscript's computation may differ: the loop runs sequentially.
-// covers: row 33
+// covers: row 33 of docs/constructs.md
 // CFLAGS: -ffast-math
-// MAY-RUN-SERIALLY: it must
+// MAY-RUN-SERIALLY: -ffast-math requires it
 // METHODS: expansion
 #include "case.h"
 

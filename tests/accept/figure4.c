@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The paper's force loop (figure 4): three particles of a triangle, b and the blocks of A.
-// covers: row 20, row 47, row 58, row 59
+// The force loop of the paper's figure 4: each triangle's force updates the vector b and blocks of the matrix A.
+// covers: row 20, row 47, row 58, row 59 of docs/constructs.md
 // THREADS: 1 2 3 7 16 33
 // CFLAGS: -march=native
 #include "case.h"
@@ -43,7 +43,7 @@ static void evaluateForces(int numForces) {
         computeForce(i, j, k, f);
         calcDerivsF(i, j, k, df);
         for (c = 0; c < 3; c++) {
-            b[i][c] = b[i][c] + f[0][c]; /* rhs vector b */
+            b[i][c] = b[i][c] + f[0][c]; /* right-hand side vector b */
             b[j][c] = b[j][c] + f[1][c];
             b[k][c] = b[k][c] + f[2][c];
             for (d = 0; d < 3; d++) {
@@ -64,7 +64,7 @@ static void evaluateForces(int numForces) {
 int main(void) {
     case_values(&x[0][0], PARTICLES * 3);
     for (int round = 0; round < 4; round++) {
-        if (round % 2 == 0) /* and once more with the same subscripts */
+        if (round % 2 == 0) /* every second round repeats the subscripts */
             case_near_subscripts(&ListForce[0][0], FORCES * 3, PARTICLES);
         evaluateForces(FORCES - round);
         CASE_PRINT(b);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rounding upwards, and flushing subnormal numbers, set when OpenMP's threads exist already: they round as the
-// thread that enters the loop does, and as before after it.
+// The program sets rounding upwards, or flushing of subnormal numbers, after OpenMP has made its threads.
+// Inside the loop these threads use the settings of the thread that enters it.
 // INTEGERS: no
 #include "case.h"
 

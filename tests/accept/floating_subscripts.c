@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts computed by floating-point arithmetic: histograms of measured values, particles put
-// into cells, weights to two neighbours, the nearest of some centres.
-// covers: row 33, row 20
+// Subscripts computed by floating-point arithmetic: histograms of measured values, particles
+// assigned to cells, weights added to two neighbours, the nearest of several centres.
+// covers: row 33, row 20 of docs/constructs.md
 #include <math.h>
 
 #include "case.h"
@@ -83,7 +83,7 @@ static void near_ones(int n, double limit) {
     }
 }
 
-/* limit[c], of a const type, is part of a plan's key. */
+/* limit[c] is a const object and part of the plan's key. */
 static void by_limits(int n, const double *limit) {
     for (int c = 0; c < 3; c++)
         for (int t = 0; t < n; t++) // EXPECT: transformed

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements that an iteration stores and reads again, by pointers without any promise: nothing else is written
-// between store and read, so the value is the stored one, even if the arrays overlap.
-// covers: row 31
-// covers: row 59
+// An iteration stores elements and reads them again, through pointers without restrict. Nothing else is
+// written between store and read. So the value read is the value stored, even if the arrays overlap.
+// covers: row 31 of docs/constructs.md
+// covers: row 59 of docs/constructs.md
 // INTEGERS: no
-// MAY-RUN-SERIALLY: if arrays overlap
+// MAY-RUN-SERIALLY: arrays overlap in some calls
 #include "case.h"
 
 enum { N = 9000, CELLS = 30 };
@@ -45,7 +45,7 @@ int main(void) {
         CASE_PRINT(sums);
         if (round < 3)
             continue;
-        /* coarse cells: the counts lie within the stored array, or next to it */
+        /* coarse cells: the counts lie within the array of cell numbers or next to it */
         count_cells(N / 2, (const double(*)[3])x, 0.9, pool, pool + 100 * round);
         count_cells(N / 2, (const double(*)[3])x, 0.9, pool + 900, pool);
         several(N / 2, pool, length, length + 7, pool + N, mass);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts written in the iteration that uses them (NPB IS).
-// covers: row 31
+// Subscripts that the iteration itself stores before it uses them, as in IS of the NAS Parallel Benchmarks.
+// covers: row 31 of docs/constructs.md
 #include "case.h"
 
 enum { N = 20000, M = 1200 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements that an iteration stores and reads again: subscripts and values.
-// covers: row 31, row 59
+// Elements that an iteration stores and reads again, as subscripts and as values.
+// covers: row 31, row 59 of docs/constructs.md
 #include "case.h"
 
 enum { N = 6000, M = 500 };
@@ -27,7 +27,7 @@ static void chained(int n) {
     }
 }
 
-/* The value is that of the element's type. */
+/* The value read again is the value stored, converted to the element's type. */
 static void conversions(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         rounded[t] = 0.1 * v[t];
@@ -66,7 +66,7 @@ static void inner_loops(int n) {
     }
 }
 
-/* Several iterations store into one element: the last one's value stays. */
+/* Several iterations store into one element: the value of the last of them remains. */
 static void conflicts(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int k = s[t];
@@ -102,13 +102,13 @@ static void macros(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         PUT(copy[t], twice(key[t] / 4));
         STORE(half[t], s[t]);
-        h[GET(copy[t])] += 0.25; /* copy[t] */
+        h[GET(copy[t])] += 0.25; /* reads copy[t] */
         sum += copy[t];
     }
     case_print("sum", &sum, sizeof sum);
 }
 
-/* Different types: disjoint by C's rule of effective types. */
+/* By C's effective type rule (C17 6.5p7), arrays of different types are disjoint. */
 static void __attribute__((noinline)) pointers(int n, int *bin, double *a, float *b) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         bin[t] = key[t];

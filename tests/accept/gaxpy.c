@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A sparse matrix in compressed columns times a vector, as in CSparse's cs_gaxpy, with vectors that are
-// disjoint, equal, or overlap each other or the matrix's values.
-// MAY-RUN-SERIALLY: the overlapping calls have to
+// A sparse matrix in compressed columns times a vector, as in CSparse's cs_gaxpy. The vectors are
+// disjoint or equal, or overlap each other or the matrix's values.
+// MAY-RUN-SERIALLY: in some calls the arrays overlap
 #include "case.h"
 #include <stddef.h>
 
@@ -47,12 +47,12 @@ static void scattered(void) {
         rows[k] = case_below(N);
 }
 
-/* Offsets of values, x and y in the memory. */
+/* Multiplies; the arguments are the offsets of values, x and y in `memory`. */
 static void product(int values, int x, int y) {
     const cs a = {ENTRIES, N, N, starts, rows, memory + values, -1};
     case_values(memory, ENTRIES + 2 * N);
     for (int i = 0; i < ENTRIES + 2 * N; i++)
-        memory[i] *= 0.25; /* y = A*y + y stays small */
+        memory[i] *= 0.25; /* keeps y = A*y + y small */
     for (int call = 0; call < 2; call++)
         gaxpy(&a, memory + x, memory + y);
     CASE_PRINT(memory);
@@ -67,10 +67,10 @@ int main(void) {
         product(2 * N, 0, N);            /* disjoint */
         product(2 * N, N, N);            /* x is y */
         product(2 * N, N - 1, N);        /* x ends one element before y does */
-        product(2 * N, N, N - 1);        /* and the other way round */
+        product(2 * N, N, N - 1);        /* x begins one element before y ends */
         product(2 * N, 1, N);            /* one element in common */
-        product(N + N / 2, 0, N);        /* y and the values */
-        product(0, ENTRIES - 1, ENTRIES + N); /* x and the values: both are only read */
+        product(N + N / 2, 0, N);        /* y overlaps the values */
+        product(0, ENTRIES - 1, ENTRIES + N); /* x overlaps the values: the loop only reads them */
     }
     return 0;
 }

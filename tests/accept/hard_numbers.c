@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Numbers that are hard to add: sums that cancel, all magnitudes, subnormals, infinities and NaN,
-// minus zero, float counters past 2^24, integers that wrap around; everything to one element, one
-// iteration, none.
+// Numbers that are hard to sum: cancellation, all magnitudes, subnormals, infinities and NaN, minus
+// zero, float counters past 2^24, integers that wrap around. Also: all updates to one element, one
+// iteration, and no iteration.
 // INTEGERS: no
-// MAY-RUN-SERIALLY: one iteration, or none, is not worth threads
+// MAY-RUN-SERIALLY: threads do not pay off for one iteration or none
 #include "case.h"
 #include <math.h>
 #include <string.h>
@@ -28,7 +28,7 @@ static void count(int n, const int *k) {
     }
 }
 
-/* Which of all NaN it is, is the compiler's choice: (a + b) or (b + a). */
+/* Replaces NaNs by one, since the compiler's choice of (a + b) or (b + a) decides which NaN results. */
 static void print_sums(const char *name) {
     for (int i = 0; i < M; i++)
         if (isnan(b[i]))

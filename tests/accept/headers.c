@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Variables other than the counter that a header sets: in a chain, one after the other, declared there;
-// secondary counters, values that no iteration uses, sums, minima.
-// covers: row 94
+// Variables other than the counter that a loop header sets: by chained assignments, one after the other, or in a
+// declaration. Some are secondary counters, some are unused in the loop, some are sums or minima.
+// covers: row 94 of docs/constructs.md
 #include "case.h"
 
 enum { N = 3000, ROWS = 90 };

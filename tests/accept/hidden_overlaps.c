@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Memory that has two names, or is read under another type, by the word of an attribute: a guard
-// finds the overlap, and no proof by names or types leaves it out.
-// covers: row 29, row 30, row 44
-// MAY-RUN-SERIALLY: they overlap
+// Memory with two names, or read as another type through the attribute may_alias. The guard detects
+// the overlap at run time; no static proof by names or types may omit the guard.
+// covers: row 29, row 30, row 44 of docs/constructs.md
+// MAY-RUN-SERIALLY: reads and updates overlap
 #include <string.h>
 
 #include "case.h"
@@ -28,7 +28,7 @@ __attribute__((noipa)) static void another_type(int n, const any_int *subscript,
         to[subscript[t] % M] += 1.0f;
 }
 
-/* Only the assembler says that the pointers are elsewhere. */
+/* Only the asm statements show that the pointers point into `object`. */
 static void by_assembler(int n) {
     static double other[N];
     double *once = other, own[M] = {0}, *twice = own;
@@ -47,7 +47,7 @@ int main(void) {
     for (int i = 0; i < N; i++)
         h[i] = (float)case_value();
     const int one = 1;
-    for (int i = 0; i < N; i++) /* as integers: small, until 1.0f has been added to them */
+    for (int i = 0; i < N; i++) /* read as integers these are small until 1.0f is added */
         memcpy(&h[i], i % 3 ? &one : &k[i], sizeof one);
     case_subscripts(s, 2 * N, M);
     for (int round = 0; round < 3; round++) {

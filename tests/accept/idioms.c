@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops as programs spell them: *p for p[0], bounds set in the header or returned by a function, a counter
-// whose address was passed on, arrays and subscripts passed separately.
-// covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84, row 62
+// Loops as programs write them: *p for p[0], bounds that the header sets or a function returns, a counter
+// whose address was passed on, and arrays and subscripts passed as separate arguments.
+// covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84, row 62 of docs/constructs.md
 #include <assert.h>
 
 #include "case.h"
@@ -13,7 +13,7 @@ static long counted[ROWS];
 static double *where = h;
 static long last_seen;
 
-/* ---- *p is p[0] ---- */
+/* ---- *p instead of p[0] ---- */
 
 static void by_pointer_before(int n, double **out) {
     double *u = *out;
@@ -83,7 +83,7 @@ static long bound_of_a_function(const struct graph *x) {
     return v;
 }
 
-/* ---- a counter whose address is known elsewhere ---- */
+/* ---- a counter whose address another function has stored ---- */
 
 static const int *kept;
 
@@ -103,7 +103,7 @@ static void counter_given_away(int n) {
     last_seen = last_seen * 3 + *kept;
 }
 
-/* ---- array and subscript separate ---- */
+/* ---- array and subscript are separate arguments ---- */
 
 static void add_at(double *to, int k, double value) {
     to[k] += value;
@@ -139,7 +139,7 @@ static void apart(int n, double *to) {
         count_at(counted, s[t] + 256 * t);
 }
 
-/* ---- one element in addition to the others ---- */
+/* ---- an update of one fixed element in addition to the others ---- */
 
 static void beside(int n, long *to, int m) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -150,7 +150,7 @@ static void beside(int n, long *to, int m) {
     }
 }
 
-/* ---- constants of the body ---- */
+/* ---- static constants in the body ---- */
 
 static void by_constants(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -161,7 +161,7 @@ static void by_constants(int n) {
     }
 }
 
-/* ---- assert in the loop: with gcc a statement expression ---- */
+/* ---- assert in the loop: a statement expression under gcc ---- */
 
 static int beside_assertions(int n, const int *first, const int *to, double *restrict out) {
     int i, j, last = -1;

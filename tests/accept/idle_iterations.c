@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that update no element of the array, but an element of their own: every method executes them.
+// Iterations that update no element of the array, but store to their own element: every method executes them.
 // METHODS: dwa-lip dwa-lip-fixed pe-dwa-lip expansion expansion-fixed pseudo-expansion
 #include "case.h"
 
@@ -17,7 +17,7 @@ static void halve(int n, const int *k, long *mine, int *b) {
     }
 }
 
-/* None of the last iterations. */
+/* The iterations of the second half update nothing. */
 static void first_half(int n, const int *k, long *mine, int *b) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         if (mine[i] > 5)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// OpenMP directives under macros that are not set, above loops, in them and elsewhere in the function: the
-// compiled text is analysed. A macro's name may end in _OPENMP.
-// covers: row 3
-// covers: row 55
+// OpenMP directives in branches that the preprocessor omits: above loops, in them and elsewhere in the
+// function. redcc analyses the text that is compiled. A macro's name may end in _OPENMP.
+// covers: row 3 of docs/constructs.md
+// covers: row 55 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000, M = 700, MOST = 6 };
@@ -14,7 +14,7 @@ static int threads(void) {
     return team;
 }
 
-/* As a library of solvers multiplies by the transposed matrix. */
+/* Multiplies by the transposed matrix, in the form used by a solver library. */
 static int transposed(int rows, int vectors, const int *first, const int *col, const double *a,
                       const double *in, double *out, double *expanded) {
     int i, j, jj, jv, offset = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops in headers, which the written text has in place of their #include: with guards, without,
-// with #pragma once and headers of their own, and a whole source.
+// Loops in headers, whose text replaces their #include in the output: headers with guards, without
+// guards, with #pragma once, with headers of their own, and an included source file.
 // OPTIONS: --compiler=known
 #include <stdio.h>
 #include "case.h"

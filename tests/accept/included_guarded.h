@@ -6,4 +6,4 @@ static inline void guarded(int n, const int *s, const double *e, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[s[t]] += e[t];
 }
-#endif /* not used again */
+#endif /* defined by no other file */

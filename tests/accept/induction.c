@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Counters that go along with the loop's own: stepped in the body, in the header, up and down,
-// wrapping around, and read after the loop.
-// covers: row 79
+// Secondary counters, stepped in the body or in the header, up and down, wrapping around, and read
+// after the loop.
+// covers: row 79 of docs/constructs.md
 #include "case.h"
 
 enum { N = 4000, ROWS = 90 };
@@ -161,7 +161,7 @@ again:
         goto again;
 }
 
-/* The turns of a triangle step it, in subscripts too; rows before and behind the triangle have none. */
+/* Each turn of a triangular nest steps `k` or `q`, used as subscripts. Some rows have no turns. */
 static int over_triangles(int n, int m, int k) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         h[s[i]] += 0.25;
@@ -179,7 +179,7 @@ static int over_triangles(int n, int m, int k) {
     return 3 * k + q;
 }
 
-/* Near twins: the numbers of turns are not known before, or other steps are made as well. */
+/* No triangular nests: the number of turns is not known in advance, or other statements step `k` as well. */
 static int no_triangles(int n, int k) {
     for (int i = 0; i < n; i++) // EXPECT: refuse scalar-carried
         for (int j = 2 * i; j < n; j++, k++) // EXPECT: transformed

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Sums of scalars in loops inside: of integers they are put together by each iteration; of floating
-// numbers each iteration keeps a series of operands, for their order matters.
-// covers: row 59
+// Scalars summed in inner loops. Integer sums are combined from a partial sum per iteration. For
+// floating-point sums each iteration keeps a series of operands, since their order matters.
+// covers: row 59 of docs/constructs.md
 #include "case.h"
 
 enum { N = 3000, M = 900 };
@@ -56,7 +56,7 @@ static double energy(int n) {
     return sum;
 }
 
-/* One scalar in textual order, also outside of the inner loops; others separately. */
+/* `kinetic` is updated in and outside inner loops, in textual order; the other scalars are summed separately. */
 struct state {
     int step;
     double virial[3], potential;
@@ -90,7 +90,7 @@ static void several(int n, double cut, struct state *restrict s) {
     }
 }
 
-/* The operation is a double's, the sum a float. */
+/* Each addition is in double, and its result is rounded to float. */
 static float rounded_each_time(int n) {
     float sum = 1.0f;
     int i = n;
@@ -112,7 +112,7 @@ static double product_of_all(int n, double *restrict f) {
     return whole;
 }
 
-/* No iteration reaches the sum: the pointer's target is not touched. */
+/* No iteration reaches the sum: the pointer `s` must not be dereferenced. */
 static void never(int n, struct state *restrict s, double limit) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int p = first[i]; p < first[i + 1]; p++) {
@@ -122,7 +122,7 @@ static void never(int n, struct state *restrict s, double limit) {
         }
 }
 
-/* + and - are two operations: for NaNs they differ in the sign. */
+/* + and - are two operations: with NaNs their results differ in the sign. */
 static double two_signs(int n) {
     double sum = 0.0;
     for (int i = 0; i < n; i++) // EXPECT: refuse scalar-carried
@@ -135,7 +135,7 @@ static double two_signs(int n) {
     return sum;
 }
 
-/* A double's operation and a float's. */
+/* One addition is in double and the other in float: they form no single series. */
 static float two_widths(int n) {
     float sum = 0.0f;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
@@ -173,7 +173,7 @@ static double largest_too(int n) {
     return sum;
 }
 
-/* It may be one of the elements, and is. */
+/* `sum` may point to an element of `f`, and does in some calls. */
 static void by_pointer(int n, double *sum, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int p = first[i]; p < first[i + 1]; p++) {
@@ -182,7 +182,7 @@ static void by_pointer(int n, double *sum, double *f) {
         }
 }
 
-/* (s + a) * b + c: the iterations' operands cannot be combined. */
+/* (s + a) * b + c: the operands of two iterations cannot be combined. */
 static unsigned two_operators(int n) {
     unsigned s = 1;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
@@ -195,7 +195,7 @@ static unsigned two_operators(int n) {
     return s;
 }
 
-/* The running value is the next inner loop's bound. */
+/* The sum's current value is part of the inner loop's bound. */
 static int read_as_a_bound(int n) {
     int s = 0;
     for (int i = 0; i < n; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Minima and maxima of integers commute: the methods with copies may be used as well.
-// covers: row 37, row 38, row 39
+// Minima and maxima of integers commute: methods with private copies are possible as well.
+// covers: row 37, row 38, row 39 of docs/constructs.md
 #include "case.h"
 
 enum { N = 20000, M = 900 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Private variables that only some iterations assign, and their values after the loop.
-// covers: row 59
+// Private variables that only some iterations assign (conditional lastprivate), and their values after the loop.
+// covers: row 59 of docs/constructs.md
 // COMPILERS: gcc clang-19
 #include "case.h"
 
@@ -9,7 +9,7 @@ static int s[N], r[N];
 static double v[N], h[M], g[M];
 static double kept[17];
 
-/* The last one to assign may touch no element, or be any. */
+/* The last iteration that assigns may be any one, and need not update an element. */
 static void under_conditions(int n, int bound) {
     int k = -1, twice = -2, none = -3;
     double d = 0.5;
@@ -73,7 +73,7 @@ static double after_continue(int n) {
     return d;
 }
 
-/* Once more, also where it is the outer loop that asks. */
+/* The value leaves the loop, and an enclosing loop uses it. */
 static void in_a_loop(int n) {
     int k = 3;
     for (int round = 0; round < 4; round++) {
@@ -123,7 +123,7 @@ static void macros(int n) {
     kept[13] = t;
 }
 
-/* Compilers see that it never iterates, and that nothing is assigned. */
+/* Compilers see that this loop never iterates: `d` keeps its value. */
 static void never(void) {
     double d = 3;
     for (int i = 0 - 1; i >= 0; i--) { // EXPECT: transformed

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Updates in several statements: an element is loaded, its value is changed, and stored again.
-// covers: row 82
+// Updates in several statements: an element is loaded, changed and stored again.
+// covers: row 82 of docs/constructs.md
 #include <math.h>
 #include "case.h"
 
@@ -38,7 +38,7 @@ static double with_conditions(int n, double *h, const double *limit) {
             v = twice < -9 ? 0.5 : twice;
         }
         h[i] = v + 1;
-        if (t % 5 == 1) /* another one of the same element */
+        if (t % 5 == 1) /* another update of the same element */
             h[i] -= 0.25;
         last = w[t];
     }
@@ -94,7 +94,7 @@ int main(void) {
         case_values(w, N);
         case_subscripts(k, N, ROWS);
         case_near_subscripts(second, N, ROWS);
-        plain(50, h + 3, h); /* reads overlap */
+        plain(50, h + 3, h); /* reads overlap updates */
         plain(N, w, h);
         sum = 0.5 * sum + with_conditions(N, h, &limit);
         members(N - round);

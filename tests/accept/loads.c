@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays behind pointers in records that a loop reads only under conditions: the record does not exist if no
-// condition holds. Sums in an inner loop together with blocks that a thread may skip.
+// Arrays behind pointers in records that a loop reads only under conditions. If no condition holds, the
+// record may not exist. Also: inner sums together with blocks that a thread may skip.
 // INTEGERS: no
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -16,7 +16,7 @@ struct all { long unused; struct boxes *boxes; struct atoms *atoms; };
 static double r[N * ROOM][3], u[N * ROOM], f[N * ROOM][3];
 static int id[N * ROOM], atoms[N], near_boxes[NEAR * N];
 
-/* Pairs of blocks: a list in the iteration, conditions, and the energy in order. */
+/* Pairs of blocks, a list private to the iteration, conditions, and an energy summed in the order of the loop. */
 __attribute__((noipa)) static double forces(struct all *s, double cut, double weight) {
     double energy = 0.25;
     int list[NEAR];
@@ -68,7 +68,7 @@ __attribute__((noipa)) static int sums(struct target *t, const int *k, int n, in
     return n;
 }
 
-/* A record that is not there, and one in memory that cannot be read. */
+/* The record is a null pointer, or lies on a page that cannot be read. */
 static void never(const int *k) {
     void *const page = mmap(NULL, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     for (int round = 0; round < 4; round++) {
@@ -95,7 +95,7 @@ int main(void) {
     never(id);
     for (int round = 0; round < 4; round++) {
         energies[round] = forces(&all, 0.4, 1e-3);
-        all.atoms = NULL; /* nothing of it is read */
+        all.atoms = NULL; /* not read, since count is small and atoms are 0 */
         boxes.count = round;
         atoms[0] = atoms[1] = atoms[2] = 0;
         energies[4 + round] = forces(&all, 0.4, 1e-3);

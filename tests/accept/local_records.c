@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays that are members of a record of the function's own: of a large one, of one that is small
-// enough to be copied, of records in records; other members are read meanwhile, or known elsewhere.
-// covers: row 45
-// covers: row 46
+// Arrays that are members of a local record: of a large one, of one small enough to be copied, or
+// of nested records. Meanwhile other members are read, or the record's address is known elsewhere.
+// covers: row 45 of docs/constructs.md
+// covers: row 46 of docs/constructs.md
 #include "case.h"
 #include <string.h>
 
@@ -58,7 +58,7 @@ static void nested(int n) {
     }
 }
 
-/* Another function knows its address, and may have changed it before. */
+/* Another function has stored the record's address and may have changed the record before. */
 static void known(int n) {
     struct table t;
     memset(&t, 0, sizeof t);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts through pure look-up functions; the table changes between calls, at the same addresses, so that a
-// stale plan would be noticed.
-// covers: row 17, row 71
+// Subscripts from pure look-up functions. The table's contents change between calls at the same addresses, so
+// a plan that was wrongly kept shows.
+// covers: row 17, row 71 of docs/constructs.md
 #include "case.h"
 
 enum { N = 6000, ROWS = 300, WIDTH = 12 };
@@ -13,7 +13,7 @@ struct matrix {
 static int pair[N][2], permuted[N][1], start[ROWS + 1], column[ROWS * WIDTH];
 static double weight[N], value[ROWS * WIDTH][2];
 
-/* Reads from the row's start up to the element it finds. */
+/* Reads from the row's start up to the element that it finds. */
 static int walk(const struct matrix *A, int row, int wanted) {
     int k = A->start[row];
     while (A->column[k] < wanted)
@@ -21,7 +21,7 @@ static int walk(const struct matrix *A, int row, int wanted) {
     return k;
 }
 
-/* Stops in the middle: its result does not show how far it reads. */
+/* Stops in the middle of a row: its result alone does not show how far it reads. */
 static int scan(const struct matrix *A, int row, int wanted) {
     for (int k = A->start[row]; k < A->start[row + 1]; k++)
         if (A->column[k] >= wanted)
@@ -71,7 +71,7 @@ static void by_bisection(int n, struct matrix *A) {
     }
 }
 
-/* Rows of ascending columns, the last beyond any that is wanted. */
+/* Fills rows with ascending columns; the last column exceeds all that are searched for. */
 static void fill(int stride) {
     for (int r = 0; r < ROWS; r++) {
         start[r] = r * WIDTH;
@@ -90,7 +90,7 @@ int main(void) {
     }
     case_subscripts(&permuted[0][0], N, N);
     for (int round = 0; round < 4; round++) {
-        fill(3 + round / 2); /* twice the same, then other columns in the same place */
+        fill(3 + round / 2); /* each table twice, then other columns at the same addresses */
         by_walk(N, (const int (*)[1])permuted, weight, &A);
         by_scan(N, &A);
         by_bisection(N, &A);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that are reached again, in an enclosing loop or by a jump, and continue with their counter's value,
-// although nothing else uses it.
-// covers: row 4, row 7, row 9
+// Loops that are reached again, in an enclosing loop or by a jump, and continue with the counter's last
+// value. Nothing else uses this value.
+// covers: row 4, row 7, row 9 of docs/constructs.md
 #include "case.h"
 
 enum { N = 5000, M = 300 };

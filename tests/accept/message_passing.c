@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A loop between calls of MPI. A function with a body here is what its body does, also where it is
-// called as one of MPI's would be: programs bring stubs to run without MPI.
-// covers: row 85
+// A loop in a program that calls MPI. Functions with MPI's names that have a body here are analysed
+// by their body: programs without MPI define such stubs.
+// covers: row 85 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000, M = 700 };

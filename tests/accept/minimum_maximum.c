@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Minima and maxima in all spellings, with NaN and zeros of both signs among the values: the program's own
-// comparison decides which of them remains.
-// covers: row 37, row 2
+// Minima and maxima in all spellings, with NaN and zeros of both signs among the values. The program's own
+// comparison decides which of two zeros, or of a NaN and a number, remains.
+// covers: row 37, row 2 of docs/constructs.md
 #include <math.h>
 
 #include "case.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that resemble refused ones, but are accepted.
-// covers: row 11, row 22, row 26, row 59
+// Loops that are accepted although they resemble refused ones.
+// covers: row 11, row 22, row 26, row 59 of docs/constructs.md
 #include "case.h"
 
 enum { N = 7000, M = 600 };
@@ -55,7 +55,7 @@ static void along_chains(int n) {
     }
 }
 
-/* The sum of a byte wraps before it becomes a subscript. */
+/* The sum wraps around in an unsigned char before it becomes a subscript. */
 static void narrow_arithmetic(int n) {
     unsigned char i;
     for (int t = 0; t < n; t++) { // EXPECT: transformed

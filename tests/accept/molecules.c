@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A pair list as in molecular dynamics; finite elements with a loop over an element's nodes.
-// covers: row 45, row 58
+// A pair list as in molecular dynamics, and finite elements with a loop over an element's nodes.
+// covers: row 45, row 58 of docs/constructs.md
 // COMPILERS: clang-19
 #include "case.h"
 #include <math.h>
@@ -41,7 +41,7 @@ struct places {
     int of[2][1];
 };
 
-/* Whether a pair is near is found out from an array with an initialiser, in the inspector as well.
+/* Decides from an array with an initialiser whether a pair is near, in the inspector as well.
  */
 static void densities(int pairs, double (*density)[1]) {
     for (int p = 0; p < pairs; p++) { // EXPECT: transformed

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops whose slice and body would mean something else in front of their function.
-// covers: row 2, row 63, row 65, row 68
+// Loops whose slice and body would change their meaning if moved in front of the function.
+// covers: row 2, row 63, row 65, row 68 of docs/constructs.md
 // COMPILERS: gcc clang-19
 // INTEGERS: no
 #include "case.h"

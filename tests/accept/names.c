@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Text that a rewriting by names or lines would break.
-// covers: row 2, row 63, row 65, row 68
+// Source text that a rewriting by names or by lines would break.
+// covers: row 2, row 63, row 65, row 68 of docs/constructs.md
 // CFLAGS: -Wno-comment
 // COMPILERS: gcc clang-19
 #include "case.h"
@@ -30,7 +30,7 @@ static void shadows(int n) {
         int k = s[t];
         h[k] += w[t];
         {
-            double h = 0.25, t_h[2] = {h, 2.0 * h}; /* another h */
+            double h = 0.25, t_h[2] = {h, 2.0 * h}; /* a local variable named like the array */
             int k = 1;
             b[s[t]] += h * t_h[k];
         }
@@ -109,7 +109,7 @@ static void types(int n) {
     }
 }
 
-/* Members that are named as members of the same name would be numbered. */
+/* redcc numbers equal member names (f, f_1): here the program has a member f_1. */
 struct alike {
     double *f, *f_1;
 };
@@ -126,7 +126,7 @@ static void alike(struct alike *p, struct alike *q, struct alike *r, int n) {
     }
 }
 
-/* Parameters that are constant themselves. */
+/* Parameters whose types are const-qualified. */
 typedef double *const restrict target;
 typedef double (*const rows)[2];
 static void constants(const int n, const int *const k, const double *const restrict x,

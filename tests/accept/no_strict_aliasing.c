@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Integers are read from the doubles that the loop adds to, with the option that permits it.
+// The loop reads integers from the doubles that it updates, which -fno-strict-aliasing permits.
 // CFLAGS: -fno-strict-aliasing
 // INTEGERS: no
 // MAY-RUN-SERIALLY: the second loop reads the memory that it writes

@@ -1,6 +1,6 @@
 ﻿/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Lines end in CR LF; names in UTF-8, digraphs, a line spliced inside a name, a BOM.
-// covers: row 63
+// Lines that end in CR LF, names in UTF-8, digraphs, a name spliced across two lines, and a byte order mark.
+// covers: row 63 of docs/constructs.md
 // COMPILERS: gcc clang-19
 %:include "case.h"
 

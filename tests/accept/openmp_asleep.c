@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// OpenMP directives that compilers pass over, since the program is compiled without OpenMP: on the
-// loop, in it, around it by halves, and where _OPENMP chooses the text.
-// covers: row 55
+// OpenMP directives without effect, since the program is compiled without OpenMP: on the loop, in
+// it, partly around it, and where _OPENMP selects the text.
+// covers: row 55 of docs/constructs.md
 #include "case.h"
 
 #pragma GCC diagnostic ignored "-Wunknown-pragmas"
@@ -53,7 +53,7 @@ static void in_a_region(void) {
     }
 }
 
-/* The last value of `at` is unused: ignored clauses read and copy nothing. */
+/* The last value of `at` is unused: the ignored clauses neither read nor copy it. */
 static void with_clauses(void) {
     int at = 3;
 #pragma omp parallel firstprivate(at)
@@ -67,7 +67,7 @@ static void with_clauses(void) {
         at = t;
 } // BINNED: 61
 
-/* It would be each thread's own. */
+/* With OpenMP each thread would have its own `factor`. */
 static double factor[2] = {2, 3};
 #pragma omp threadprivate(factor)
 static double c[M];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The same, translated without OpenMP and compiled with it: then the program is as it was written.
-// covers: row 55
+// The loops of openmp_asleep.c, translated without OpenMP but compiled with it. Then each original loop runs.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -DTWICE
-// MAY-RUN-SERIALLY: none of these loops may be ours
+// MAY-RUN-SERIALLY: with OpenMP the original loops run
 #include "case.h"
 
 enum { N = 9000, M = 700 };
@@ -52,7 +52,7 @@ static void in_a_region(void) {
     }
 }
 
-/* The last value of `at` is unused: ignored clauses read and copy nothing. */
+/* The last value of `at` is unused: the ignored clauses neither read nor copy it. */
 static void with_clauses(void) {
     int at = 3;
 #pragma omp parallel firstprivate(at)
@@ -66,7 +66,7 @@ static void with_clauses(void) {
         at = t;
 }
 
-/* It is each thread's own. */
+/* Each thread has its own `factor`. */
 static int factor[2] = {2, 3};
 #pragma omp threadprivate(factor)
 static int c[M];

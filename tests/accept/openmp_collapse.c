@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: arrays that nests below `collapse` update, in the order of the nest. Nine shapes.
-// covers: row 55
+// Compiled with OpenMP: a nest with `collapse` updates arrays in the nest's sequential order. Nine forms of nests.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #include "case.h"
 
 enum { ROWS = 90, COLUMNS = 110, M = 300, P = 40 };
@@ -17,7 +17,7 @@ static double pair(double a, double b) {
     return f * (0.5 + f * f);
 }
 
-/* counters of the headers; the first iterations and the last have no inner ones */
+/* counters declared in the headers, and inner loops without iterations in the first and last iterations */
 static void pairs(int n, int m) {
 #pragma omp parallel for collapse(2) schedule(dynamic, 16)
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -31,7 +31,7 @@ static void pairs(int n, int m) {
         }
 }
 
-/* counters of the function, which keep their values; a depth that the file defines */
+/* counters of the function, which keep their values, and a depth that a macro defines */
 static int counters(int n, int m) {
     int i = -7, j = -5, k = -3;
     double v = 0.25;
@@ -59,7 +59,7 @@ static int counters(int n, int m) {
 #endif
 }
 
-/* the values behind the last iteration */
+/* the counters' values after the last iteration */
 static int last(void) {
     int i = 5, j = 6;
 #pragma omp parallel for collapse(2) lastprivate(i, j)
@@ -70,7 +70,7 @@ static int last(void) {
     return i == ROWS && j == COLUMNS;
 }
 
-/* by the team of a region: all of its threads, and with nowait; a scalar beside */
+/* executed by the team of a region, with all of its threads and with nowait, next to a reduced scalar */
 static double of_team(int n, int m) {
     int i = 4, j = 5;
     double sum = 0;
@@ -97,7 +97,7 @@ static double of_team(int n, int m) {
 #endif
 }
 
-/* below a function that others call, in a region or not */
+/* in a function that is called inside and outside a region */
 static void orphan(int n, long *restrict to) {
     int y, z;
 #pragma omp for collapse(2)
@@ -108,7 +108,7 @@ static void orphan(int n, long *restrict to) {
         }
 }
 
-/* bounds that depend on the outer counter; a nest of which the clause names the outer loop only */
+/* an inner bound that depends on the outer counter, and a collapse clause that names only the outer loop */
 static void triangle(int n) {
 #pragma omp parallel for collapse(1)
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -124,7 +124,7 @@ static void triangle(int n) {
             c[r[j]] += w[i];
 }
 
-/* a clause of arrays */
+/* an array in the reduction clause */
 static void clause(int n, int m) {
     int i, j;
 #pragma omp parallel for collapse(2) reduction(+ : d)

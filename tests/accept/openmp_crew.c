@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: arrays that `for` inside of a region updates, by the team that is there, in the sequential order.
-// covers: row 55
+// Compiled with OpenMP: the team of an enclosing region executes `for` loops that update arrays, in sequential order.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #include "case.h"
 
 enum { N = 20000, M = 900, P = 40 };
@@ -23,7 +23,7 @@ static double pair(double a, double b) {
     return d * (0.5 + d * d);
 }
 
-/* a solver by steps, all of them in one region: each loop reads what the one before has written */
+/* a solver whose steps are all in one region: each loop reads what the previous loop wrote */
 static void steps(int n, int many) {
 #pragma omp parallel
     for (int step = 0; step < many; step++) {
@@ -45,7 +45,7 @@ static void steps(int n, int many) {
     }
 }
 
-/* with `nowait`, directly behind other loops that update the same array */
+/* Loops with `nowait`, directly after other loops that update the same array. */
 static void hasty(int n) {
 #pragma omp parallel num_threads(5)
     {
@@ -71,7 +71,7 @@ static void hasty(int n) {
     }
 }
 
-/* variables of the threads: private by the region, by the loop, and declared in the region */
+/* variables private to the threads, by a clause of the region or the loop, or declared in the region */
 static int privates(int n) {
     int t = -7, i = -5, from = 3;
     double v = 0.25, last = 0;
@@ -98,7 +98,7 @@ static int privates(int n) {
 #endif
 }
 
-/* below a function that others call, in a region or not, and behind a directive that is not about it */
+/* in a function called inside and outside a region; the threadprivate directive above concerns another variable */
 double of_thread;
 #pragma omp threadprivate(of_thread)
 static void orphan(int n, long *restrict to) {
@@ -109,7 +109,7 @@ static void orphan(int n, long *restrict to) {
     }
 }
 
-/* a clause of scalars beside; what a thread knows of itself is used outside */
+/* a reduced scalar in addition, and a value of each thread that is used outside the loop */
 static double with_sum(int n) {
     double sum = 0;
     long mine = 0;
@@ -129,7 +129,7 @@ static double with_sum(int n) {
     return sum;
 }
 
-/* a team in each thread of a team */
+/* each thread of a team opens a team */
 static void half(int n, double *restrict to) {
 #pragma omp parallel num_threads(2)
     {
@@ -152,7 +152,7 @@ int main(void) {
     case_subscripts(r, N, M);
     case_values(w, N);
     case_values(x, M);
-    if (!getenv("CASE_INTEGERS")) // its products are none
+    if (!getenv("CASE_INTEGERS")) // its products are not integers
         steps(N, 6);
     CASE_PRINT(x);
     for (int round = 0; round < 3; round++) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Threads of a larger team that a smaller one dismisses end slowly. They execute none of the program's loops, so that
-// the loop is in the sequential order even so.
-// covers: row 55
+// Threads that leave when a smaller team follows a larger one take long to end. They execute no iterations, so the
+// loop still keeps the sequential order.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -pthread
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #define _GNU_SOURCE
 #include "case.h"
 #include <pthread.h>
@@ -40,7 +40,7 @@ int main(void) {
     case_values(w, N);
     for (int round = 0; round < 4; round++) {
         come(MORE);
-        if (round % 2 == 0) /* dismissed before any loop knows of them */
+        if (round % 2 == 0) /* dismissed before any loop has counted these threads */
             come(2);
         add(N - round);
         CASE_PRINT(h);

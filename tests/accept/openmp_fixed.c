@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: arrays of the clause `reduction` are updated in a fixed order, with the same bits at every number
-// of threads, in every run, and in the sequential order by REDCC_ORDER=serial. Eleven shapes.
-// covers: row 55
+// Compiled with OpenMP: arrays of the clause `reduction` are updated in a fixed order, with the same bits at every
+// number of threads and in every run. With REDCC_ORDER=serial it is the sequential order. Eleven forms of loops.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: 31 38 48 55 64 73 82 93 105 126
-// MAY-RUN-SERIALLY: one of them is executed in a region
+// MAY-RUN-SERIALLY: one loop is executed inside a region
 #include "case.h"
 
 enum { N = 24000, M = 300, ROWS = 90 };
@@ -17,7 +17,7 @@ static unsigned bits[M];
 static long counts[M];
 static int least[M], most[M];
 
-static int many = 1; /* the condition of a clause that depends on the number of threads */
+static int many = 1; /* the condition of a directive's `if` clause */
 int omp_get_max_threads(void);
 
 static double pair(double a, double b) {
@@ -25,14 +25,14 @@ static double pair(double a, double b) {
     return d * (0.5 + d * d);
 }
 
-/* a pointer with a length */
+/* an array section of a pointer */
 static void histogram(int n, int m, const int *restrict at, const double *restrict v, double *restrict to) {
 #pragma omp parallel for reduction(+ : to[:m])
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += v[t];
 }
 
-/* an array, as a whole; both ends of pairs */
+/* a whole array, updated for both ends of each pair */
 static void pairs(int n) {
 #pragma omp parallel for schedule(dynamic, 16) reduction(+ : g) if (many)
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -49,7 +49,7 @@ static void shifted(int n, int first) {
         h[first + s[t] + M * (t & 1)] -= w[t] * 0.75;
 }
 
-/* two arrays, of different types */
+/* two arrays of different types */
 static void two(int n, float *restrict light) {
 #pragma omp parallel for reduction(+ : light[0 : M], mass[0 : M])
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -58,7 +58,7 @@ static void two(int n, float *restrict light) {
     }
 }
 
-/* rows */
+/* an array of rows */
 static void rows(int n, double (*restrict to)[3]) {
 #pragma omp parallel for reduction(+ : to[0:ROWS][:3])
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -66,7 +66,7 @@ static void rows(int n, double (*restrict to)[3]) {
             to[k[t]][c] += w[t] * (c + 0.75);
 }
 
-/* other operators */
+/* reductions by min, max and * */
 static void extremes(int n, int *restrict low, int *restrict high) {
 #pragma omp parallel for reduction(min : low[:M]) reduction(max : high[:M]) \
     reduction(* : product)
@@ -85,7 +85,7 @@ static void integers(int n) {
     }
 }
 
-/* private variables, and inner loops */
+/* private variables and inner loops */
 static double heavy(int n, double *restrict to) {
     double v, last = 0;
     int j;
@@ -99,14 +99,14 @@ static double heavy(int n, double *restrict to) {
     return last;
 }
 
-/* executed by each thread of a region, and outside of one */
+/* executed by each thread of a region, and outside a region */
 static void anywhere(int n, double *restrict to) {
 #pragma omp parallel for reduction(+ : to[:M])
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[r[t]] += w[t] * 1.25;
 }
 
-/* with a scalar as well as the array: in the sequential order */
+/* a scalar in addition to the array: both in the sequential order */
 static void with_sum(int n) {
     double sum = 0;
 #pragma omp parallel for reduction(+ : sum, nodes)
@@ -118,7 +118,7 @@ static void with_sum(int n) {
     total += sum;
 }
 
-/* by the team that is there */
+/* The team of the enclosing region executes the loop. */
 static void of_team(int n, double *restrict to) {
 #pragma omp parallel
     {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A region of one thread, beside which OpenMP's other threads idle that no loop has met: they are not taken for the
-// program's own threads. So when a team dismisses as many threads later, which end slowly, the loop waits for them. So it
-// does after a thread of the program's own has ended.
-// covers: row 55
+// A region of one thread, while OpenMP's other threads are idle. No loop has used these threads, but they must not be
+// counted as threads of the program. Later a team dismisses them, and they end slowly: the loop must wait for them. The
+// same holds after a thread of the program has ended.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -pthread
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
-// MAY-RUN-SERIALLY: one of them runs beside another thread
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
+// MAY-RUN-SERIALLY: one loop runs while another thread exists
 #define _GNU_SOURCE
 #include "case.h"
 #include <pthread.h>
@@ -36,7 +36,7 @@ static void *be_there(void *unused) {
     return unused;
 }
 
-/* beside a thread of the program's own, with integers, whose sums are the same in any order */
+/* while a thread of the program exists; integer sums are the same in any order */
 static void count_beside(int n) {
     pthread_t thread;
     pthread_mutex_lock(&until_then);

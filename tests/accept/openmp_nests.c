@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: scalars that a nest below `collapse` reduces, in fixed blocks of both loops.
-// covers: row 55
+// Compiled with OpenMP: a nest with `collapse` reduces scalars, in fixed blocks of the two loops' iterations.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: blocks
 #include "case.h"
 
@@ -14,7 +14,7 @@ static double w[ROWS * COLUMNS], v[COLUMNS], cube[12][40][30];
 static double of_file = 0.5;
 static int k[COLUMNS];
 
-/* counters of the headers: few long rows, many short ones, one, none */
+/* counters declared in the headers: few long rows, many short ones, one iteration, none */
 static double headers(int n, int m) {
     double sum = 0.25;
 #pragma omp parallel for collapse(2) reduction(+ : sum)
@@ -24,7 +24,7 @@ static double headers(int n, int m) {
     return sum;
 }
 
-/* counters of the function, which each thread has for itself; both directions, and steps */
+/* counters of the function, private to each thread, in both directions and with steps */
 static int counters(int n, int m) {
     int i = -7;
     unsigned j = 5;
@@ -51,7 +51,7 @@ static int counters(int n, int m) {
 #endif
 }
 
-/* the values behind the last iteration, which is in the last block */
+/* values after the last iteration, which is in the last block */
 static int last(void) {
     int i = 5, j = 6;
     double sum = 0, seen = 0;
@@ -66,8 +66,8 @@ static int last(void) {
     return i == FEW && j == MANY;
 }
 
-/* no rows, or no columns: the clause sets the counters alone, as the loops without their directive do; OpenMP leaves
- * them open */
+/* No rows or no columns: `lastprivate` sets only the counters, as the loops would without their directive. OpenMP
+ * leaves them unspecified. */
 static int never(int n, int m) {
     int i = -5, j = -6;
     double sum = 0.25, seen = 5;
@@ -77,10 +77,10 @@ static int never(int n, int m) {
             seen = w[i * MANY + j];
             sum += seen;
         }
-    return sum == 0.25 && (getenv("CASE_INTEGERS") || (seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6))); /* OpenMP leaves them open */
+    return sum == 0.25 && (getenv("CASE_INTEGERS") || (seen == 5 && i == (n > 0 ? n : 0) && j == (n > 0 ? 3 : -6))); /* unspecified */
 }
 
-/* three loops; long iterations; a triangle, and headers that a macro makes: of these only the outer loop is divided */
+/* three loops; long iterations; a triangle and headers that a macro makes, where only the outer loop is divided */
 static double shapes(int n) {
     double sum = 0;
     int i, j, l;
@@ -124,7 +124,7 @@ static double shapes(int n) {
     return sum;
 }
 
-/* by the team of a region, and below a function that others call */
+/* A function that is called in a region, whose team executes the nest, and also outside. */
 static void orphan(int n, int m) {
     int i, j;
 #pragma omp for collapse(2) reduction(+ : of_file) nowait

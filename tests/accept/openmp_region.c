@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: scalars that `for` reduces, inside of a region, by the team that is there: in fixed blocks.
-// covers: row 55
+// Compiled with OpenMP: inside a region the existing team executes `for` loops that reduce scalars, in fixed blocks.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: blocks
 #include "case.h"
 
@@ -13,7 +13,7 @@ static double rho, product, of_file, thread_own[8];
 #pragma omp threadprivate(thread_own)
 static int k[N];
 
-/* a solver by conjugate gradients, all of it in one region */
+/* a conjugate gradient solver in one region */
 static void solve(int n, int steps) {
     int j;
     double alpha, beta, before;
@@ -23,7 +23,7 @@ static void solve(int n, int steps) {
 #pragma omp for nowait
         for (j = 0; j < n; j++)
             x[j] = 0, r[j] = p[j] = b[j];
-        /* it reads what the loop above wrote, by other threads as well */
+        /* reads what threads wrote in the loop above, some of it in other threads */
 #pragma omp for reduction(+ : rho)
         for (j = 0; j < n; j++) // EXPECT: transformed
             rho += r[n - 1 - j] * r[n - 1 - j];
@@ -58,14 +58,14 @@ static void solve(int n, int steps) {
     case_print("rho", &rho, sizeof rho);
 }
 
-/* below a function that others call, in a region or not */
+/* in a function called inside and outside a region */
 static void orphan(int n, const double *restrict u) {
 #pragma omp for reduction(+ : of_file)
     for (int i = 0; i < n; i++) // EXPECT: transformed
         of_file += u[i] * w[i];
 }
 
-/* with `nowait`, again and again; the loop behind reads what this one wrote, by the same thread */
+/* repeated with `nowait`: the next loop reads what this loop wrote, in the same thread */
 static double hasty(int n, int rounds) {
     double first = 0, second = 1, least = 1e300;
     static double sum;
@@ -93,7 +93,7 @@ static double hasty(int n, int rounds) {
     return first + second * 3 + least * 1e3 + sum * 1e-3;
 }
 
-/* clauses, and variables that a thread has for itself: no other loop of the region meets them */
+/* clauses, and variables private to a thread that no other loop of the region uses */
 static double clauses(int n) {
     double sum = 0, mine = 0, last = 0, counts[4] = {0};
     int i = 0, from = 3;
@@ -118,7 +118,7 @@ static double clauses(int n) {
     return sum;
 }
 
-/* no iteration: `lastprivate` sets the counter alone, as the loop without its directive does; OpenMP leaves it open */
+/* No iteration: `lastprivate` sets the counter as the loop without a directive does; OpenMP leaves it unspecified. */
 static int never(int n) {
     int i = -7;
     double sum = 0.25, last = 5;
@@ -132,10 +132,10 @@ static int never(int n) {
 #pragma omp single
         sum *= 2;
     }
-    return sum == 0.5 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* OpenMP leaves them open */
+    return sum == 0.5 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* unspecified in OpenMP */
 }
 
-/* numbers of all sizes */
+/* reduced variables of all widths */
 static double sizes(int n) {
     signed char low = 100;
     unsigned char bits = 0;
@@ -173,7 +173,7 @@ static double sizes(int n) {
     return low + bits * 3 + least * 5 + most * 7 + count * 11 + (double)all + any + single + (double)wide;
 }
 
-/* a team for each thread of a team; a region under a condition */
+/* each thread of a team opens a team, in a region with an if clause */
 static double nested(int n) {
     double sums[4] = {0}, sum = 0;
 #pragma omp parallel for
@@ -196,7 +196,7 @@ int main(void) {
     case_values(b, N);
     case_values(w, N);
     case_subscripts(k, N, N);
-    if (!getenv("CASE_INTEGERS")) // its quotients are none
+    if (!getenv("CASE_INTEGERS")) // its quotients are not integers
         solve(N, 25);
     CASE_PRINT(x);
     of_file = 0.25;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: loops run without their directives, with the bits of the sequential program.
-// covers: row 55
+// Compiled with OpenMP: loops run without their directives and yield the sequential program's bits.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #include "case.h"
 
 enum { N = 6000, M = 700, P = 40 };
@@ -41,7 +41,7 @@ static void histogram(int n, double *restrict to) {
 
 static void guarded(int n) {
 #pragma omp parallel for schedule(guided) \
-    shared(s, w) // in two lines
+    shared(s, w) // continued on a second line
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const double v = w[t] * 0.5;
 #pragma omp critical(sums)
@@ -52,7 +52,7 @@ static void guarded(int n) {
     }
 }
 
-/* Private variables keep their value; without OpenMP they do not, and nothing reads them. */
+/* Private variables keep the values from before the loop. Without OpenMP they do not, and nothing reads them. */
 static int privates(int n) {
     int t = -7, from = 3;
     double v = 0.25, f[2], last = 0;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// covers: row 55
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -std=gnu99
 // FLAGS: -fopenmp -std=gnu99
-// SEQUENTIAL: its directives add up in any order
-// MAY-RUN-SERIALLY: clauses say so, or the loop is executed in a region
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
+// MAY-RUN-SERIALLY: clauses require it, or the loop is inside a region
 #include "case.h"
 
 enum { N = 6000, M = 700 };
@@ -29,7 +29,7 @@ static void by_one(int n) {
     }
 }
 
-/* In a region: each of its threads may be here. */
+/* Called inside a region as well, by each of its threads. */
 static void anywhere(int n) {
     int t;
 #pragma omp parallel for

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: scalars that a directive reduces are added up in fixed blocks, with the same bits at every
-// number of threads, and in the sequential order by REDCC_ORDER=serial. A solver by conjugate gradients, and shapes.
-// covers: row 55
+// Compiled with OpenMP: scalars that a directive reduces are summed in fixed blocks, with the same bits at every
+// number of threads. With REDCC_ORDER=serial the order is sequential. A conjugate gradient solver and other loops.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: blocks
-// MAY-RUN-SERIALLY: one of them has no chance
+// MAY-RUN-SERIALLY: one loop has no iterations
 #include "case.h"
 #include <stdbool.h>
 
@@ -20,7 +20,7 @@ static int k[N];
 double outside = 0.5;
 static double little; /* 0 if all values are integers */
 
-/* ---- a solver: dot products, a product with a sparse matrix by its columns, updates by atomics */
+/* ---- a solver: dot products, a product with a sparse matrix stored by columns, atomic updates */
 
 static double dot(int n, const double *restrict u, const double *restrict v) {
     double sum = 0;
@@ -70,7 +70,7 @@ static int solve(int n) {
     return steps;
 }
 
-/* a matrix with a dominant diagonal: each pair of rows is entered for both */
+/* fills a diagonally dominant, symmetric matrix: each pair (i, j) is entered in both columns */
 static void make_matrix(void) {
     int n = 0;
     for (int i = 0; i < N; i++) {
@@ -87,7 +87,7 @@ static void make_matrix(void) {
     begin[N] = n;
 }
 
-/* ---- shapes -------------------------------------------------------------------------------- */
+/* ---- forms of loops ------------------------------------------------------------------------ */
 
 typedef float real;
 
@@ -102,7 +102,7 @@ static void operators(int n) {
     real single = 0.5f;
 #pragma omp parallel for reduction(min : least, low, above) reduction(max : most) reduction(* : times) \
     reduction(- : count) reduction(| : bits) reduction(& : common) reduction(^ : odd) \
-    reduction(&& : all) reduction(|| : any, is_any) reduction(+ : single) /* in three lines */
+    reduction(&& : all) reduction(|| : any, is_any) reduction(+ : single) /* on three lines */
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         if (w[i] < least)
             least = w[i];
@@ -134,7 +134,7 @@ static void operators(int n) {
     case_print("single", &single, sizeof single);
 }
 
-/* counters of all kinds, and what becomes of them */
+/* counters of several kinds, and their values after the loop */
 static int counters(int n) {
     int i = -7, j;
     double sum = 0.25, last = 0, mine;
@@ -174,7 +174,7 @@ static int counters(int n) {
 #endif
 }
 
-/* no iteration: `lastprivate` sets the counter alone, as the loop without its directive does; OpenMP leaves it open */
+/* No iteration: `lastprivate` sets the counter as the loop without a directive does; OpenMP leaves it unspecified. */
 static int never(int n) {
     int i = -7, first = n;
     double sum = 0.25, last = 5;
@@ -183,10 +183,10 @@ static int never(int n) {
         last = w[i];
         sum += last;
     }
-    return sum == 0.25 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* OpenMP leaves them open */
+    return sum == 0.25 && (getenv("CASE_INTEGERS") || (last == 5 && i == n)); /* OpenMP leaves them unspecified */
 }
 
-/* under conditions, by an operator, in a branch; iterations with loops */
+/* a directive under a condition, by the operator _Pragma, in a branch; iterations with inner loops */
 static double others(int n, int kind) {
     double sum = 0;
     if (kind == 1)
@@ -226,7 +226,7 @@ int main(void) {
     }
     double sums = others(N, 0) + others(N, 1) + 3 * others(N, 2) + others(0, 1);
     case_print("sums", &sums, sizeof sums);
-    /* by each thread of a team */
+    /* each thread of a team calls `dot` */
     static double apart[8];
 #pragma omp parallel for
     for (int i = 0; i < 8; i++)

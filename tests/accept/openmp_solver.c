@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: conjugate gradients for a symmetric matrix of which one half is stored, in one region. The product
-// adds up by atomics, in the sequential order; dot products are reduced in fixed blocks.
-// covers: row 55
+// Compiled with OpenMP: conjugate gradients in one region, for a symmetric matrix of which one half is stored. The
+// product keeps the order of its atomic updates; dot products are reduced in fixed blocks.
+// covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
-// SEQUENTIAL: its directives add up in any order
+// SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: blocks
 #include "case.h"
 
@@ -16,7 +16,7 @@ static int row[M], column[M];
 static double entry[M], diagonal[ROWS], b[ROWS], x[ROWS], r[ROWS], p[ROWS], q[ROWS];
 static double rho, product;
 
-/* Returns the number of steps after which the residual's square is below `least`. */
+/* Returns the number of steps after which the squared residual is below `least`. */
 static int solve(int n, int m, double least) {
     int steps = 0;
     rho = 0;
@@ -67,7 +67,7 @@ static int solve(int n, int m, double least) {
 }
 
 int main(void) {
-    if (getenv("CASE_INTEGERS")) // its quotients are none
+    if (getenv("CASE_INTEGERS")) // its quotients are not integers
         return 0;
     case_subscripts(column, M, ROWS);
     case_values(entry, M);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Products, and, or, xor.
-// covers: row 38, row 27
+// Updates by *, &, | and ^.
+// covers: row 38, row 27 of docs/constructs.md
 #include "case.h"
 
 enum { N = 20000, M = 1200 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The user's word: functions without side effects, pointers that do not overlap.
-// covers: row 17
+// Options state that a function has no side effects and that pointers do not overlap.
+// covers: row 17 of docs/constructs.md
 // OPTIONS: --pure=weight --assume-noalias
 #include "case.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Updates that do not commute with each other: several operators on one array, functions of the old value,
-// stores among updates, rounding at each step. Each element's owner executes them in the order of the loop.
-// covers: row 22, row 23, row 27, row 28, row 39, row 41
+// Updates that do not commute: several operators on one array, functions of the old value, stores among
+// updates, rounding at each step. Each element's owner executes them in the order of the loop.
+// covers: row 22, row 23, row 27, row 28, row 39, row 41 of docs/constructs.md
 #include <math.h>
 #include <stdbool.h>
 

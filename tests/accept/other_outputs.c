@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// In addition to the updates, an output with a separate element per iteration, and a plain sum.
-// covers: row 59
+// Outputs in addition to the updates: a separate element per iteration, and a sum.
+// covers: row 59 of docs/constructs.md
 #include "case.h"
 
 enum { N = 20000, M = 1200 };

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The updated array contains the pointer to itself. The loop is so light, and its elements so mixed, that an
-// inspection is postponed: one thread executes it to be timed, but not before the guard.
-// covers: row 29
-// MAY-RUN-SERIALLY: they overlap
+// The updated array contains the pointer to itself. Iterations are so short, and subscripts so scattered,
+// that the inspection is postponed. One thread executes the loop to time it, but only after the guard.
+// covers: row 29 of docs/constructs.md
+// MAY-RUN-SERIALLY: array and pointer overlap
 #include <string.h>
 
 #include "case.h"
@@ -21,7 +21,7 @@ __attribute__((noipa)) static void count(histogram *h, const int *subscript, int
 }
 
 int main(void) {
-    histogram *one = aligned_alloc(ALIGNED, ALIGNED); /* the third byte of the pointer is 0 */
+    histogram *one = aligned_alloc(ALIGNED, ALIGNED); /* aligned so that the pointer's third byte is 0 */
     if (!one)
         return 1;
     memset(one, 0, sizeof *one);
@@ -29,7 +29,7 @@ int main(void) {
         one->bin = (unsigned char *)one;
         for (int t = 0; t < N; t++)
             s[t] = (int)sizeof one->bin + case_below(OTHER);
-        s[N / 2] = 2; /* 65536 is added to the pointer */
+        s[N / 2] = 2; /* this update adds 65536 to the pointer */
         count(one, s, N);
         CASE_PRINT(one->room);
         printf("%ld\n", (long)(one->bin - (unsigned char *)one));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// MAY-RUN-SERIALLY: where records overlap what is updated, or the structure with their number
-// An iteration's own record, behind a pointer that lies in a structure: particles are moved and deposited in one loop.
+// MAY-RUN-SERIALLY: records overlap the updated array or the structure that holds their number
+// An iteration's own record lies behind a pointer in a structure: one loop moves particles and deposits them on a grid.
 #include <string.h>
 #include "case.h"
 
@@ -27,7 +27,7 @@ static struct part parts[N];
 static struct tag tags[N];
 static float grid[CELLS], seen[CELLS];
 
-/* Moved and deposited; the grid is another pointer, or in the same structure. */
+/* Moves and deposits particles; the grid is a parameter or a member of the structure. */
 static void move(struct species *s, float *to) {
     for (int i = 0; i < s->n; i++) { // EXPECT: transformed
         const float x = s->part[i].x + s->part[i].v;
@@ -47,7 +47,7 @@ static void move_there(struct species *s) {
     }
 }
 
-/* Behind two pointers; stored under a condition; every second one. */
+/* Behind two pointers; stored under a condition; for every second iteration. */
 static void two_pointers(struct world *w, int n, float *to) {
     for (int i = 0; i < n; i += 2) { // EXPECT: transformed
         const float v = w->species->part[i + 1].v;
@@ -57,7 +57,7 @@ static void two_pointers(struct world *w, int n, float *to) {
     }
 }
 
-/* Stored first, then read. */
+/* The own element is stored first and then read. */
 static void stored_first(struct species *s, const int *k, float *to) {
     for (int i = 0; i < s->n; i++) { // EXPECT: transformed
         s->tag[i].cell = k[i];
@@ -94,7 +94,7 @@ int main(void) {
     CASE_PRINT(tags);
     CASE_PRINT(grid);
 
-    /* No particles: the pointers may be anything. */
+    /* Without particles the pointers may have any value. */
     struct species none = {0, NULL, NULL, 1, grid};
     w.species = &none;
     all(&none, &w, k, grid);
@@ -105,7 +105,7 @@ int main(void) {
     all(&s, &w, k, &parts[N / 2].x);
     CASE_PRINT(parts);
 
-    /* The structure lies among the tags: a particle's cell is their number, and ends the loop. */
+    /* The structure lies among the tags: storing a particle's cell overwrites `n`, which ends the loop. */
     char *memory = calloc(N, sizeof(struct tag));
     struct species *inside = (struct species *)(memory + 120 * sizeof(struct tag));
     *inside = (struct species){400, parts, (struct tag *)memory, 0.3f, seen};

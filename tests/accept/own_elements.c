@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The iteration's own element is read, stored to and read again: stored for good after the loop.
-// covers: row 93
+// The iteration's own element is read, stored to and read again. Its final value is stored after the loop.
+// covers: row 93 of docs/constructs.md
 // THREADS: 1 2 3 7 16 33
 // INTEGERS: no
 #include "case.h"
@@ -18,7 +18,7 @@ static float centre[C][F], feature[N][F], *row[C], *point[N];
 static unsigned char seen[N];
 static short level[N];
 
-/* As k-means writes it: rows behind pointers, a search in a function. */
+/* As in k-means programs: rows behind pointers, and a search in a function. */
 static int nearest(const float *f, float **rows, int clusters) {
     int best = 0;
     float least = 1e30f;
@@ -49,7 +49,7 @@ static float assign(int n, float **f, float **centres, int *membership, int *len
     return delta;
 }
 
-/* The search begins with the first row: that pointer is read in each call. */
+/* The search begins with the first row, so each call reads that row's pointer. */
 static float apart(const float *a, const float *b, int n) {
     float sum = 0;
     for (int d = 0; d < n; d++)
@@ -80,7 +80,7 @@ static void assign_from_the_first(int n, int width, float **f, float **centres, 
     }
 }
 
-/* Moved, wrapped around, and deposited where it is then. */
+/* Moves each particle, wraps its position around, and deposits at the new position. */
 static void push(int n, struct particle *p, double *rho, double dt) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         p[t].v[1] -= 0.125 * p[t].x;
@@ -95,7 +95,7 @@ static void push(int n, struct particle *p, double *rho, double dt) {
     }
 }
 
-/* Parts of rows, and velocities that may be anywhere. */
+/* Two components of each row; the velocities may overlap anything. */
 static void drift(int n, double (*p)[3], const double (*v)[3], double *restrict rho) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         p[t][0] += v[t][0];
@@ -106,7 +106,7 @@ static void drift(int n, double (*p)[3], const double (*v)[3], double *restrict 
     }
 }
 
-/* Fields of one record, and others that may be anywhere. */
+/* Two fields of one record; `g` may overlap anything. */
 struct body {
     double at[2], speed;
 };
@@ -118,7 +118,7 @@ static void fall(int n, struct body *b, const double *g, double *restrict rho) {
     }
 }
 
-/* The subscript is another array's; memory that may be the own element's is compared. */
+/* The subscript is from another array; the guard compares `other` with the own elements. */
 static void relax(int n, double *restrict sum, double *own, const double *other, const int *k) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const double before = own[t];
@@ -127,7 +127,7 @@ static void relax(int n, double *restrict sum, double *own, const double *other,
     }
 }
 
-/* Down, by an offset, under conditions, in small types. */
+/* Downwards, with steps, under conditions, and in small types. */
 static void marks(int n, const int *restrict k, int *restrict c, unsigned char *s, short *l) {
     for (int t = n - 1; t >= 0; t--) { // EXPECT: transformed
         if (s[t] == 7)
@@ -156,7 +156,7 @@ static void by_macros(int n, const int *restrict k, double *restrict b, int *sta
     }
 }
 
-/* It is left early: the values that iterations gave their own elements by then are discarded. */
+/* The loop may end early: then the values already given to own elements are discarded. */
 static int until(int n, const int *k, double *restrict b, double *own) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         if (own[i] > 1e6)
@@ -167,7 +167,7 @@ static int until(int n, const int *k, double *restrict b, double *own) {
     return n;
 }
 
-/* Stores next to a read, more general than those of distribution (distributed_stores.c). */
+/* Stores after a read, in more general forms than in distributed_stores.c. */
 static void some_iterations_go_on(int n, const int *r, double *y, double *t) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         y[r[i]] -= t[i];
@@ -294,7 +294,7 @@ static void beside_reads(int n, int round) {
     CASE_PRINT(h);
 }
 
-/* Stored by each iteration before it is read; the arrays may be one. */
+/* Each iteration stores its own element before it reads it; `o` and `h` may be one array. */
 static void maybe_the_array(int n, const int *s, double *o, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         o[t] = s[t];
@@ -377,16 +377,16 @@ static void of_itself(int n, const int *s, double *restrict o, double *restrict 
 static void stored_first(int n) {
     static double o[N + M], p[N], sums[M + 4];
     static int kept[N + M], counts[M + 4], whole[M + 4];
-    maybe_the_array(M / 2, at, o, o + 1); /* they overlap */
+    maybe_the_array(M / 2, at, o, o + 1); /* the arrays overlap */
     maybe_the_array(n, at, o, sums);
-    maybe_another_output(n / 2, at, o, o + 7, whole); /* they overlap */
+    maybe_another_output(n / 2, at, o, o + 7, whole); /* the arrays overlap */
     maybe_another_output(n, at, o, p, whole);
     stored_again(n, at, o, sums);
     stored_again_below(n, at, o, sums);
     of_itself(n, at, o, sums);
-    written_in_between(M / 2, kept, at, kept + 1, sums); /* they overlap */
+    written_in_between(M / 2, kept, at, kept + 1, sums); /* the arrays overlap */
     written_in_between(n, kept, at, counts, sums);
-    written_before_the_last_read(M / 2, kept, at, kept + 2); /* they overlap */
+    written_before_the_last_read(M / 2, kept, at, kept + 2); /* the arrays overlap */
     written_before_the_last_read(n, kept, at, counts);
     written_in_the_same_statement(n, kept, at, counts);
     read_before(n, kept, at, sums);
@@ -413,7 +413,7 @@ int main(void) {
         order[i + 1] = i % 997;
     }
     static float sum[C][F], *sums[C];
-    static float total[C + 8][F], *totals[C]; /* the pointers are disjoint from the rows */
+    static float total[C + 8][F], *totals[C]; /* the pointers do not overlap the rows */
     static int length[C];
     for (int c = 0; c < C; c++) {
         row[c] = centre[c];
@@ -432,7 +432,7 @@ int main(void) {
         const int n = round == 3 ? N / 2 : N;
         printf("%a\n", (double)assign(n, point, row, member, length, sums));
         CASE_PRINT(length);
-        assign_from_the_first(n, F, point, totals, member, totals); /* it overlaps */
+        assign_from_the_first(n, F, point, totals, member, totals); /* rows and sums overlap */
         assign_from_the_first(n, F, point, row, member, totals);
         CASE_PRINT(member);
         CASE_PRINT(sum);
@@ -443,14 +443,14 @@ int main(void) {
         push(n, particle, h, 0.0625);
         CASE_PRINT(particle);
         CASE_PRINT(h);
-        drift(n / 2, place, (const double(*)[3])place + n / 4, h); /* it overlaps */
+        drift(n / 2, place, (const double(*)[3])place + n / 4, h); /* `v` overlaps the rows */
         drift(n, place, (const double(*)[3])speed, h);
         CASE_PRINT(place);
         fall(n, body, e, h);
-        fall(n / 2, body, &body[1].speed, h); /* it overlaps */
+        fall(n / 2, body, &body[1].speed, h); /* `g` overlaps the records */
         fall(n, body, e, h);
         CASE_PRINT(body);
-        relax(n - 1, h, x, x + 1, at); /* it overlaps */
+        relax(n - 1, h, x, x + 1, at); /* `other` overlaps `own` */
         relax(n, h, x, y, at);
         CASE_PRINT(x);
         marks(n, at, count, seen, level);

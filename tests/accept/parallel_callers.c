@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Called from several threads at once, and from inside a parallel region.
-// covers: row 55, row 72
+// Loops called from several threads at once, and from inside a parallel region.
+// covers: row 55, row 72 of docs/constructs.md
 // CFLAGS: -fopenmp
-// MAY-RUN-SERIALLY: inside a parallel region it has to
+// MAY-RUN-SERIALLY: inside a parallel region loops are sequential
 #include "case.h"
 
 enum { N = 6000, M = 500, CALLERS = 4 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A plan must not outlive the subscripts it was made from: the same pointers with other contents,
-// other bounds, other memory, a change in the middle, a change back.
-// covers: row 71, row 53
+// A plan must not be reused after the subscripts have changed: the same pointers with other
+// contents, other bounds, other memory, a change in the middle, or a change back.
+// covers: row 71, row 53 of docs/constructs.md
 // THREADS: 1 2 3 7 16 33
 #include "case.h"
 #include <string.h>
@@ -38,7 +38,7 @@ int main(void) {
         scatter(h, s, w, 0, N);
         show();
     }
-    for (int k = 0; k < 6; k++) { /* one subscript at a time: first, last, middle */
+    for (int k = 0; k < 6; k++) { /* changes one subscript at a time: first, last, middle */
         const int at = k % 3 == 0 ? 0 : k % 3 == 1 ? N - 1 : N / 2 + k;
         const int old = s[at];
         s[at] = (s[at] + 1 + case_below(M - 1)) % M;
@@ -53,7 +53,7 @@ int main(void) {
         scatter(h, s, w, k * 10, N - k * 100);
         show();
     }
-    for (int k = 0; k < 3; k++) { /* freed, and perhaps the same address again */
+    for (int k = 0; k < 3; k++) { /* frees the array and may get the same address again */
         free(s);
         s = malloc(N * sizeof *s);
         case_subscripts(s, N, M);

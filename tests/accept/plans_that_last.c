@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Conditions that the inspector leaves out, since they do not say which elements could be touched,
-// and those that it must not leave out (tests/analysis/cases/plans_that_last.c).
-// covers: row 78
+// Conditions that the inspector leaves out, since the elements that may be touched do not depend on
+// them, and conditions that it must not leave out (tests/analysis/cases/plans_that_last.c).
+// covers: row 78 of docs/constructs.md
 #include "case.h"
 
 enum { N = 3000, ROWS = 600 };
@@ -58,7 +58,7 @@ static void components_under_a_condition(int n, double *f, const double *x,
     }
 }
 
-/* Behind the condition something is read that the program might not read. */
+/* The load of q[i] is executed only under the condition, and might be out of bounds otherwise. */
 static void read_behind(int n, double *f, const double *x, const int *p,
                  const int *q, double cut) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -81,7 +81,7 @@ static void read_behind_in_a_row(int n, double *f, const double *x,
         }
 }
 
-/* The condition's counter keeps its value in the next round of the inner loop. */
+/* The condition's counter `place` keeps its value for the next turn of the inner loop. */
 static void counted_in_a_row(int n, double *f, const double *x,
                       const int *start, double cut) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -133,7 +133,7 @@ static void set_by_the_condition(int n, double *f, const double *x,
     }
 }
 
-/* The inner counter outlives the condition. */
+/* The inner counter's value is used after the condition. */
 static void counter_outlives(int n, double *f, const double *x, const int *p,
                       double cut) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Pointers that step through arrays: as the loop's counter, as secondary ones, and stepped where they are
-// dereferenced; integers stepped where they are used.
-// covers: row 89, row 90
+// Pointers that step through arrays: as the loop's counter, as secondary counters, and stepped where they
+// are dereferenced. Integers stepped where they are used.
+// covers: row 89, row 90 of docs/constructs.md
 #include "case.h"
 
 enum { N = 4000, ROWS = 90 };
@@ -135,13 +135,13 @@ static void own_step(int n) {
     }
 }
 
-/* Found to overlap when it runs. */
+/* The guard finds at run time that reads and updates overlap. */
 static void reads_what_it_updates(int n, const int *p) {
     while (n--) // EXPECT: transformed
         counted[(unsigned)*p++ % ROWS]++;
 }
 
-/* The elements that q steps over are the addresses of its reads: outside of the updated elements, and then among them. */
+/* `q` steps over subscripts of `other`, which lies outside of the updated elements first and among them later. */
 static void looked_up(int n, const int *q, const int *other, int *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[s[t]] += other[*q++] & 63;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The user's word: a private array whose proof is missing, functions without side effects, pointers
-// that do not overlap.
-// covers: row 17, row 29, row 54, row 56, row 59
+// Pragmas state that an array is private where the proof fails, that functions have no side
+// effects, and that pointers do not overlap.
+// covers: row 17, row 29, row 54, row 56, row 59 of docs/constructs.md
 // CFLAGS: -Wno-unknown-pragmas
 #include "case.h"
 
@@ -21,7 +21,7 @@ static void with_parts(int n, const int *restrict part_count) {
     }
 }
 
-static volatile double factor = 0.5; /* it does not change while the loop runs */
+static volatile double factor = 0.5; /* unchanged while the loop runs */
 static double scaled(double x) {
     return factor * x;
 }

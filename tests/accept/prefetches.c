@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Executors prefetch what iterations to come touch, the farther ahead the shorter those are: by their
-// lists, over the ends of runs, below conditions and past `continue`.
+// Executors prefetch what later iterations touch, the farther ahead the shorter iterations are: from
+// lists of iterations, past the ends of runs, under conditions and past `continue`.
 // METHODS: expansion pseudo-expansion dwa-lip pe-dwa-lip:2
 // INTEGERS: no
 #include "case.h"
@@ -62,7 +62,7 @@ static void declared_outside(int n, const double (*x)[3], const double (*restric
     }
 }
 
-/* A row that is prefetched has a subscript that the inspector declares in a block. */
+/* The row to prefetch has a subscript that the inspector declares inside a block. */
 static void declared_behind_a_loop(int n, const double (*restrict x)[3], const double (*restrict w)[3],
                                    double (*b)[3]) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Private scalars and arrays of an iteration, and their values after the loop.
-// covers: row 58, row 59, row 5, row 6, row 7
+// Scalars and arrays private to an iteration, and their values after the loop.
+// covers: row 58, row 59, row 5, row 6, row 7 of docs/constructs.md
 #include "case.h"
 #include <math.h>
 
@@ -80,7 +80,7 @@ static void values_decide(int n) {
     }
 }
 
-/* Neighbouring places, by a function that fills a list: their number follows from bounds with one unknown. */
+/* A function fills a list of neighbours. The list's length follows from bounds with one unknown, `row` or `column`. */
 static void row_and_column(int place, int *row, int *column) {
     *row = place / 20;
     *column = place % 20;
@@ -111,7 +111,7 @@ int main(void) {
         scalars(N - round);
         if (getenv("CASE_INTEGERS") != NULL)
             for (int i = 0; i < M; i++)
-                h[i] = 0.0; /* square roots are no integers */
+                h[i] = 0.0; /* square roots are not exact on integers */
         arrays(N);
         control(N);
         values_decide(N);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that read through their parameters, in loops of their own, at elements found through tables: the
-// natural form of a finite-element assembly. Their reads may overlap updates.
-// covers: row 80, row 81
+// Functions that read through their parameters, in loops of their own and at elements that tables give, as
+// usual in finite-element assembly. Their reads may overlap updates.
+// covers: row 80, row 81 of docs/constructs.md
 #include <stddef.h>
 #include "case.h"
 
@@ -40,7 +40,7 @@ static void assemble(const struct mesh *m, double (*b)[3]) {
     }
 }
 
-/* The same as older programs write it. */
+/* A function in the old style, with parameters declared before its body. */
 static double stretch(m, e) const struct mesh *m; int e; {
     int a, i, j;
     double sum = 0;
@@ -53,7 +53,7 @@ static double stretch(m, e) const struct mesh *m; int e; {
 }
 
 static void by_struct(const struct mesh *m, double (*b)[3], const double *scale) {
-    int a, i; /* names that the function has as well */
+    int a, i; /* names that the called function has as well */
     for (i = 0; i < m->n; i++) // EXPECT: transformed
         for (a = 0; a < 4; a += 2) {
             double w = stretch(m, i);
@@ -169,7 +169,7 @@ static void first_ones(int n, const double *x, const int *to, double *y) {
         y[to[i]] += first_above(x, to[i], to[i] + 40, 0.5);
 }
 
-/* ---- a plan, and tables read for its addresses ---- */
+/* ---- a plan, and tables read to find addresses ---- */
 
 static double in_row(const double *x, const int *list) {
     double s = 0;
@@ -183,7 +183,7 @@ static void kept_apart(int n, const int (*list)[4], const double *x, const int *
         y[to[i]] += 0.25 * in_row(x, list[i]);
 }
 
-/* Only the lists change: once they lead to updated elements. */
+/* Only the lists change: in one call they select updated elements. */
 static void change_lists(void) {
     static double both[2 * NODES];
     static int list[N][4];
@@ -224,7 +224,7 @@ static void fill(int round) {
         rows[r] = other[(r * 7 + round) % NODES];
 }
 
-/* Numbers that have grown over each other are no small integers any more. */
+/* Sums of sums are no longer small integers, so `y` begins with new values. */
 static void begin_again(int is_needed) {
     if (is_needed) {
         CASE_PRINT(y);
@@ -244,7 +244,7 @@ int main(void) {
             for (int i = 0; i < N; i++)
                 for (int c = 0; c < 4; c++)
                     node[i][c] %= overlap == 1 ? NODES - 1 : 21;
-        if (overlap == 2) /* read by one entry of one row alone */
+        if (overlap == 2) /* only one entry of one row reads the common element */
             for (int k = 0; k < ptr[N]; k++)
                 col[k] = k == ptr[N] - 1 ? 1 : NODES - 2;
         const struct mesh m = {N - round, x, (const int(*)[4])node, ptr, col, val, rows};

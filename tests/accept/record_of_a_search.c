@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A matrix in a record, whose entries a function finds by bisection: the entries are updated if one was found,
-// and the function's other reads show that the pointer to them is valid.
-// covers: row 46
+// A matrix in a record, whose entries a function finds by bisection. Entries are updated if one was found. The
+// function's other reads show that the pointer to the entries is valid.
+// covers: row 46 of docs/constructs.md
 // INTEGERS: no
 #include "case.h"
 #include <math.h>

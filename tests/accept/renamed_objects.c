@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Objects that a pragma or assembler gives other names, and types whose attributes are out of
-// sight: a guard finds the overlap.
-// covers: row 29, row 30, row 44
-// MAY-RUN-SERIALLY: they overlap
+// Objects that a pragma or asm label gives other names, and types whose attributes a macro hides:
+// the guard finds the overlap.
+// covers: row 29, row 30, row 44 of docs/constructs.md
+// MAY-RUN-SERIALLY: reads and updates overlap
 #include <string.h>
 
 #include "case.h"
@@ -39,7 +39,7 @@ int main(void) {
     case_values(object, N);
     case_subscripts(k, N, M);
     const int one = 1;
-    for (int i = 0; i < N; i++) /* as integers: small, until 1.0f has been added to them */
+    for (int i = 0; i < N; i++) /* read as integers these are small until 1.0f is added */
         memcpy(&h[i], i % 3 ? &one : &k[i], sizeof one);
     for (int round = 0; round < 3; round++) {
         other_names(N);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows among which the loop reads other data: the run-time guard detects it, and the original loop runs.
-// MAY-RUN-SERIALLY: expected
-// covers: row 48
+// Rows between which the loop reads other data: the run-time guard detects the overlap, and the original loop runs.
+// MAY-RUN-SERIALLY: rows and reads overlap
+// covers: row 48 of docs/constructs.md
 #include "case.h"
 
 #include <string.h>
@@ -20,14 +20,14 @@ static void rows_among_rows(int n, double **rows, double **others) {
         rows[s[t]][1] += others[t][0] * 0.5;
 }
 
-/* In a row that is read, only elements between its first and its last one are updated. */
+/* The loop updates elements that lie inside a row which it reads. */
 static void within_a_row(int n, double *out, double **others) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int c = 0; c < WIDTH; c++)
             out[s[t] % 2] += others[t][c] * 0.25;
 }
 
-/* Characters may be of anything: of the table itself as well. */
+/* Pointers to char may alias anything, the table of rows included. */
 static void table_in_a_row(int n, char **rows) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         rows[s[t]][0]++;
@@ -50,9 +50,9 @@ int main(void) {
     CASE_PRINT(block);
     for (int t = 0; t < N; t++)
         from[t] = &e[t];
-    rows_among_rows(N, to, from); /* disjoint: in parallel */
+    rows_among_rows(N, to, from); /* disjoint: runs in parallel */
     rows_among_rows(N, to, from);
-    from[N / 2] = to[3]; /* no longer */
+    from[N / 2] = to[3]; /* now a row that is read is also updated */
     rows_among_rows(N, to, from);
     from[N / 2] = e;
     to[3] = &e[N - 3];
@@ -66,8 +66,8 @@ int main(void) {
     from[N / 2] = block[11];
     within_a_row(N, &block[11][3], from);
     CASE_PRINT(block);
-    /* The table lies among its rows, and row 3 is the location of the pointer to row 0: each time its first byte is counted up,
-     * row 0 is another. */
+    /* The table lies among its rows, and row 3 is the pointer to row 0 itself. Each update of row 3 moves row 0 by one
+     * byte. */
     char *const bytes = memset(aligned_alloc(4096, 4096), 0, 4096);
     char **const table = (char **)(void *)(bytes + 2048);
     for (int i = 0; i < ROWS; i++)

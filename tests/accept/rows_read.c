@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Reads through pointers in memory: their addresses are recorded row by row.
-// covers: row 48
+// Reads through pointers in memory: the guard records their addresses row by row.
+// covers: row 48 of docs/constructs.md
 #include "case.h"
 
 enum { POINTS = 2000, FEATURES = 5, CLUSTERS = 40 };

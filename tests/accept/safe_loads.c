@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The subscript is loaded under a condition on computed values, but the load is safe without it:
-// the same element was loaded before, or the counter alone says where it is.
-// covers: row 35
+// The subscript is loaded under a condition on computed values, but the load is safe without the
+// condition: the same element was loaded before, or the counter alone gives its place.
+// covers: row 35 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 700 };

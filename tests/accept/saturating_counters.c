@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Counters that stop at a limit commute: methods with copies may be used. Elements begin below their
-// limit, at it, above it, and signed ones below zero. Near twins keep the order: their limit differs from
-// iteration to iteration, from update to update, or is passed.
-// covers: row 97
+// Counters that stop at a limit commute: methods with private copies are possible. Elements begin below,
+// at or above their limit, and signed ones below zero. In similar loops the order matters: the limit
+// differs between iterations or updates, or a step may pass it.
+// covers: row 97 of docs/constructs.md
 #include "case.h"
 
 enum { N = 6000, M = 100, FEW = 15 };
@@ -40,7 +40,7 @@ static void count(int n) {
     }
 }
 
-/* The constant that the element is compared with is signed, and is no literal. */
+/* The element is compared with a signed constant that is not a literal. */
 static void alone(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         if (far[s[t]] < (53 + (FEW & 1)))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Minima and maxima of scalars in addition to the array, with the iteration that gave them: by each comparison
-// and in each spelling, with equal values, zeros of either sign and NaNs.
-// covers: row 88
+// Minima and maxima of scalars in addition to the array, with the iteration in which they occur: by each
+// comparison and in each spelling, with equal values, zeros of either sign and NaNs.
+// covers: row 88 of docs/constructs.md
 #include <math.h>
 
 #include "case.h"
@@ -133,7 +133,7 @@ static double twice(int n) {
     return big + low;
 }
 
-/* Under a condition, by each comparison, and with other updates of the same scalar. */
+/* Under a condition, by each comparison, and with other updates of one scalar. */
 static double sometimes(int n, double big, double low) {
     double both = 3;
     for (int i = 0; i < n; i++) { // EXPECT: transformed

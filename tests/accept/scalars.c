@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Scalars that a loop accumulates into in addition to its arrays, in the order of the loop.
-// covers: row 59, row 41
+// In addition to its arrays the loop updates scalars, in the order of the loop.
+// covers: row 59, row 41 of docs/constructs.md
 #include "case.h"
 
 enum { N = 20000, M = 1200 };
@@ -100,7 +100,7 @@ static void rarely_touching(int n) {
     total += sum;
 }
 
-/* Added to -0.0, nothing must stay nothing: 0.0 would be something. */
+/* If no iteration adds, -0.0 must remain: adding 0.0 as the neutral value would change it. */
 static double never(int n) {
     double sum = -0.0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -111,7 +111,7 @@ static double never(int n) {
     return sum;
 }
 
-/* The call that gives an operand fills an array of the iteration's own. */
+/* The call that computes the operand also fills an array private to the iteration. */
 static double stress(double strain, double p[3]) {
     for (int i = 0; i < 3; i++)
         p[i] = strain * (i + 1) * (i + 1);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Sums in addition to the array that are not variables: members of records, elements of small arrays, targets
-// of pointers; of the function, of the file, and of the caller.
-// covers: row 59
+// Sums, in addition to the array, that are not variables: members of records, elements of small arrays, and
+// targets of pointers. They belong to the function, the file or the caller.
+// covers: row 59 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000, M = 700 };
@@ -62,7 +62,7 @@ static void of_the_caller(int n, const int *restrict k, double *restrict to, dou
     }
 }
 
-/* By type alone nothing else in the loop aliases the pointer's target. */
+/* Types show that nothing else in the loop overlaps the pointer's target. */
 static void of_another_type(int n, const int *k, double *to, long *count) {
     struct moments own = {.n = 7};
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -74,7 +74,7 @@ static void of_another_type(int n, const int *k, double *to, long *count) {
     *count -= own.n;
 }
 
-/* The pointer is dereferenced only if an iteration reaches the update. */
+/* The pointer may be dereferenced only if an iteration executes the update. */
 static void perhaps_never(int n, int from, const int *restrict k, double *restrict to,
                           double *restrict sum, struct body *restrict b) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -86,7 +86,7 @@ static void perhaps_never(int n, int from, const int *restrict k, double *restri
     }
 }
 
-/* Possible aliases of the sum, according to the analysis: the arrays, the reads, other sums. They are compared at run time. */
+/* For the analysis the sum may overlap the arrays, the reads or other sums. The guard compares them at run time. */
 struct sums {
     double energy, virial, *force;
     const double *place;
@@ -139,7 +139,7 @@ static void compared(void) {
     static double a[N], b[N], e[2] = {1, 1.5};
     for (int i = 0; i < N; i++)
         b[i] = v[i];
-    /* The sum is an element, is read, is another sum: only the loop as it is will do. */
+    /* Here the sum is an element, is read, or is another sum: only the original loop is correct. */
     two_pointers(N, a, b, &a[s[5]], &e[1]);
     two_pointers(N, a, b, &b[s[N / 2]], &e[1]);
     two_pointers(N, a, b, &b[N - 1], &e[0]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Comma expressions as statements: each part is a separate statement, in macros too.
-// covers: row 96
+// Comma expressions as statements: each operand counts as a separate statement, in macros too.
+// covers: row 96 of docs/constructs.md
 // INTEGERS: no
 #include "case.h"
 

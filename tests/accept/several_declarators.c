@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Several declarators in one declaration: a bound in the header, subscripts from each other.
-// covers: row 8
+// Several declarators in one declaration: a bound in the header, and subscripts computed from each other.
+// covers: row 8 of docs/constructs.md
 // CFLAGS: -Wno-unused-variable
 #include "case.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Two-dimensional arrays, variable length arrays, linear subscripts, shifted subscripts.
-// covers: row 47, row 50, row 51, row 2
+// Two-dimensional and variable-length arrays, linear subscripts and shifted subscripts.
+// covers: row 47, row 50, row 51, row 2 of docs/constructs.md
 #include "case.h"
 
 enum { N = 15000, M = 800 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Enumerations of one byte: the structures that the library is given stay as they are.
+// With -fshort-enums the program's enumerations have one byte, but the runtime's structures must not change.
 // CFLAGS: -fshort-enums
 #include "case.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Short loops inside a body are unrolled by a pragma before them, which must not be next to another one, an
-// attribute or a label.
+// redcc unrolls short inner loops by a pragma in front of them. It must not add this pragma next to another
+// pragma, an attribute or a label.
 // CFLAGS: -Wno-unknown-pragmas -Wno-attributes
 #include "case.h"
 
@@ -58,7 +58,7 @@ static void steps_in_macros(int n) {
         for (int c = 0; c < CORNERS; NEXT(c))
             force[corner[t][c]][3] += value[t][c];
         int p;
-        for (p = 0; p < 4; /* one on */ p += 1)
+        for (p = 0; p < 4; /* step of one */ p += 1)
             force[corner[t][2]][p] -= value[t][p];
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Inner loops that step through rows: the inspector records the first and the last element at once.
-// covers: row 47, row 48
+// Inner loops that step through rows: the inspector records a row's first and last element at once.
+// covers: row 47, row 48 of docs/constructs.md
 #include "case.h"
 #include <stddef.h>
 
@@ -19,7 +19,7 @@ static void k_means(int n, int m, float **rows, float (*c)[W], int *length) {
     }
 }
 
-/* The counter is declared before, and its value after the loop is a subscript. */
+/* The counter is declared before the loop, and its value after the loop is a subscript. */
 static void counter_used_after(int n, int m, float *restrict c, const float *restrict f) {
     int i, j;
     for (i = 0; i < n; i++) { // EXPECT: transformed
@@ -30,11 +30,11 @@ static void counter_used_after(int n, int m, float *restrict c, const float *res
     }
 }
 
-/* Segments of any length, none among them, found through a table. */
+/* Segments of any length, some of them empty, whose bounds a table gives. */
 static void segments(int n) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int p = start[i]; p < start[i + 1]; p++)
-            y[p % M == p ? p : 0] += x[i % M]; /* not one after the other, as far as is known */
+            y[p % M == p ? p : 0] += x[i % M]; /* not known to be consecutive */
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (size_t p = (size_t)start[odd[i]]; p < (size_t)start[odd[i] + 1]; p++)
             y[p] += x[i % M] * (double)p;
@@ -47,7 +47,7 @@ static void segments(int n) {
     }
 }
 
-/* Unsigned sums may wrap around: no rows one after the other. 4294967295 + 1 is 0 here. */
+/* Unsigned sums may wrap around, so the elements may not be consecutive: 4294967295 + 1 is 0 here. */
 static void unsigned_sums(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const unsigned before = (unsigned)(odd[i] % 5) - 3u;
@@ -56,7 +56,7 @@ static void unsigned_sums(int n) {
     }
 }
 
-/* Left by a jump, with conditions, with steps of two, downwards, with rows of rows. */
+/* Inner loops with jumps, conditions, steps of two, downward steps, and rows of rows. */
 static void others(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         for (int p = 0; p < 7; p++) {
@@ -82,7 +82,7 @@ static void through_pointers(int n, double *out, double **rows, int m) {
             out[odd[i] + j] += rows[i][j];
 }
 
-/* Steps of more than one: all rows in between, with ends that the step does not meet; or some only. */
+/* Steps of more than one: the updates of a turn fill the gap to the next turn, or leave rows out. */
 static void by_steps(int n, double *out) {
     int i, p, q;
     for (i = 0; i < n; i++) { // EXPECT: transformed

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Sparse matrices: coordinates, transposed products, symmetric products, chains of subscripts.
-// covers: row 26, row 7
+// Sparse matrices in coordinate form, transposed products, symmetric products, and chains of subscripts.
+// covers: row 26, row 7 of docs/constructs.md
 // CFLAGS: -march=native
 #include "case.h"
 
@@ -21,7 +21,7 @@ static void transposed(int rows) {
     }
 }
 
-/* As in Spark98: the row's own sum and the columns' contributions. */
+/* As in Spark98: the row's sum, and a contribution to each column's element. */
 static void symmetric(int rows) {
     for (int i = 0; i < rows; i++) { // EXPECT: transformed
         double sum0 = 0.0, sum1 = 0.0;

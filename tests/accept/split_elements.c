@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements that do not lie at multiples of their size, in records that are packed or hold complex
-// numbers, updated by two names that overlap: no element may get two owners.
-// covers: row 30, row 45
+// Elements whose addresses are no multiples of their size, in packed records or records with
+// complex numbers. Two pointers to them overlap. No element may get two owners.
+// covers: row 30, row 45 of docs/constructs.md
 // CFLAGS: -fno-strict-aliasing
 // INTEGERS: no
-// MAY-RUN-SERIALLY: they overlap
+// MAY-RUN-SERIALLY: the updated elements overlap
 #include <string.h>
 
 #include "case.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops whose condition steps the counter, before or after it compares it: their iterations, and
-// the counter's value after them, also where there are none.
-// covers: row 86
+// Loops whose condition steps the counter, before or after the comparison: their iterations, and
+// the counter's value afterwards, also without iterations.
+// covers: row 86 of docs/constructs.md
 #include <limits.h>
 
 #include "case.h"

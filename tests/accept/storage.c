@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Globals, statics, locals, the heap, flexible members, typedefs, const and register.
-// covers: row 50, row 46, row 63
+// Globals, statics, locals, heap memory, flexible array members, typedefs, const and register.
+// covers: row 50, row 46, row 63 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 700 };
@@ -49,7 +49,7 @@ static void parameter(double h[static M], const subscript *const k, const int n)
         h[k[t]] += w[t];
 }
 
-/* A definition in the old style. */
+/* A function definition in the old style. */
 static void old_style(h, k, n)
 double *h;
 int *k, n;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Steps that are known when the loop begins, but are no constants: of all types and both
-// directions, of 1, more than the loop is long, none and less; strides that change between two
-// executions with the same first value and the same number of iterations; unsigned counters.
-// covers: row 8, row 10
+// Steps that are known only when the loop begins: of all types and both directions, 1, longer than
+// the loop, zero and negative. The stride may change between executions with the same first value
+// and trip count. Counters may be unsigned.
+// covers: row 8, row 10 of docs/constructs.md
 #include "case.h"
 #include <limits.h>
 #include <stdint.h>
@@ -65,7 +65,7 @@ static void unsigned_counters(size_t n, size_t by, unsigned m, unsigned char lit
         counts[s[i]] -= 5;
 }
 
-/* Unsigned counters that would step over the end of their type: they never do here. */
+/* Unsigned counters could step over the end of their type, but never do here. */
 static void to_the_end(unsigned from, unsigned to, unsigned by) {
     const int *const table = s - 0;
     for (unsigned i = from; i < to; i += by) // EXPECT: transformed
@@ -94,7 +94,7 @@ static void in_rows(int n, int stride, int width) {
             h[s[j] / 2 + c] += w[j] * (c + 1);
 }
 
-/* No memory determines these subscripts: with the same first value and number of iterations only the stride changes the plan. */
+/* No memory determines these subscripts. With equal first values and trip counts only the stride changes the plan. */
 static void computed(int n, int stride) {
     for (int j = 0; j < n; j += stride) // EXPECT: transformed
         h[(j * 7 + j / 11) % M] += w[j];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A subscript is computed from where the array lies: a plan for another place is not this one's.
+// A subscript depends on the array's address: a plan made for another address must not be reused.
 // INTEGERS: no
-// covers: row 71
+// covers: row 71 of docs/constructs.md
 #include "case.h"
 
 enum { N = 3000, M = 600 };

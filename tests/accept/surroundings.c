@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Places of a loop: after if and else, under a label, in a loop, in a switch, in a macro's neighbourhood,
-// nested blocks, names that shadow, two on one line.
-// covers: row 4, row 67, row 68, row 2
+// Places where a loop may be: after if and else, under a label, in a loop or a switch, next to macros, in
+// nested blocks, among names that shadow others, two loops on one line.
+// covers: row 4, row 67, row 68, row 2 of docs/constructs.md
 #include "case.h"
 
 enum { N = 8000, M = 600 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A switch before an update that a floating value decides: its break is no obstacle.
-// covers: row 6
+// A switch precedes an update under a floating-point condition: its break statements do not prevent the analysis.
+// covers: row 6 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 700 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Tables of which a function reads an element that it computes, between bounds that it keeps to:
-// apart from what the loop updates, in the midst of it, behind it in one block of memory; not there.
+// A function computes which element of a table it reads, and clamps the subscript. The table is
+// disjoint from the updated memory, inside it, behind it in one block of memory, or does not exist.
 // INTEGERS: no
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ struct pot { struct table *phi; double cut; };
 static int k[N], l[N];
 static double x[N], block[2 * ROWS + ENTRIES + 3], found[40 * ROWS];
 
-/* A spline: from below the first entry on to behind the last one. */
+/* Interpolates by a spline; reads from one entry below the first to two behind the last. */
 static void interpolate(struct table *t, double r, double *f, double *df) {
     const double *v = t->values;
     if (r < t->x0)
@@ -48,7 +48,7 @@ __attribute__((noipa)) static double pairs(struct pot *p, double *h, double *h2,
     return sum;
 }
 
-/* Bounds of integers, whichever comes first; by way of another function; a root is not negative. */
+/* Clamps an integer at both ends; `rounded` needs no lower bound, since a root is not negative; `either` calls both. */
 static double clamped(const struct table *t, int i) {
     if (i >= t->n)
         i = t->n - 1;
@@ -96,18 +96,18 @@ int main(void) {
         usleep(100);
         whole(&table, block, N);
         keep(number++);
-        if (round == 1) /* after the rows, in one object: disjoint as well */
+        if (round == 1) /* behind the rows, in the same object: disjoint as well */
             table.values = block + 2 * ROWS + 1;
         if (round == 2) /* the last entry is the first row: only some iterations read it */
             table.values = block + ROWS - ENTRIES - 1;
-        if (round == 3) { /* from the end backwards: what says where the table lies does not hold */
+        if (round == 3) { /* the table is read backwards: the bounds derived from `inverse` do not hold */
             table.values = block + 2 * ROWS + ENTRIES - 2;
             table.inverse = -ENTRIES;
         }
         usleep(100);
         sums[number] = pairs(&pot, block, block + ROWS, N);
         keep(number++);
-        table.inverse = ENTRIES; /* none but the last elements are rows */
+        table.inverse = ENTRIES; /* only the table's last elements are rows */
         table.values = block + ROWS - ENTRIES;
         usleep(100);
         sums[0] += pairs(&pot, block + ROWS, block + ROWS, N);

@@ -1,9 +1,9 @@
-// Loops over pairs, cut into tiles: rows and columns above and below each other, in several spellings, and near twins
-// that are not cut (NOT-TILED), since two of their turns meet in other ways than by a row or a column.
+// Loops over pairs, cut into tiles: row and column counters with j > i or j < i, in several spellings. NOT-TILED
+// marks similar loops in which two turns conflict in other ways than by an equal row or column.
 // THREADS: 3 33
 // INTEGERS: no
 // CFLAGS: -Wno-unknown-pragmas
-// MAY-RUN-SERIALLY: arrays overlap, and counts are small
+// MAY-RUN-SERIALLY: arrays overlap, or there are few iterations
 #include <math.h>
 
 #include "case.h"
@@ -72,7 +72,7 @@ static void packed(unsigned n, const double (*x)[3], double (*f)[3], double *lef
     }
 } // TILED: 60
 
-/* A shift of both subscripts; rows end before the columns, and some have none. */
+/* Both subscripts are shifted; rows end before the columns do, and some rows are empty. */
 static void shifted(int first, int n, int most, const double *x, double *f, double sum[2]) {
     for (int i = first; i < n; i++) // EXPECT: transformed
         for (int j = i + 2; j <= most - (i & 3); j++) {
@@ -85,7 +85,7 @@ static void shifted(int first, int n, int most, const double *x, double *f, doub
         }
 } // TILED: 77
 
-/* The row's sums are variables, arrays and records; it begins and ends with updates and sums of its own. */
+/* Variables, arrays and records hold the row's sums; a row begins and ends with updates outside the inner loop. */
 static void summed_by_rows(int n, const double *x, double *f) {
     double sum[3], d[3], rr, e;
     int i, j, k;
@@ -141,7 +141,7 @@ static void record_sums(long n, double cut) {
     }
 } // TILED: 118
 
-/* A statement after the inner loop needs the column's counter; or a row has a loop of its own. */
+/* A statement after the inner loop reads the column's counter, or an inner loop runs over all columns. */
 static void counter_read_behind(int n, const double *x, double *f) {
     int i, j;
     for (i = 0; i < n; i++) { // EXPECT: transformed
@@ -178,7 +178,7 @@ static void last_column_behind(int n, const double *x, double *f) {
     }
 } // NOT-TILED: 171
 
-/* Vectors one after the other in one array, with local arrays. */
+/* Vectors of 3 or 2 elements, one after another in one array, with local arrays. */
 static void vectors(int n, const double *x, double *f) {
     double d[3], rr;
     int i, j, k;
@@ -215,7 +215,7 @@ static void planes(long n, const float *x, const float *mass, float *f, float cu
     }
 } // TILED: 202
 
-/* The counter is named after the loop that sets it under a condition. */
+/* The counter `k`, which a loop under a condition sets, is a subscript after that loop. */
 static void counter_named_later(int n, const double *x, double *f) {
     int i, j, k;
     for (i = 0; i < n; i++) // EXPECT: transformed
@@ -228,7 +228,7 @@ static void counter_named_later(int n, const double *x, double *f) {
         }
 } // NOT-TILED: 221
 
-/* A vector reaches into the next one. */
+/* Vectors of 3 elements at distances of 2 overlap. */
 static void longer_vectors(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int j = i + 1; j < n; j++)
@@ -238,7 +238,7 @@ static void longer_vectors(int n, const double *x, double *f) {
             }
 } // NOT-TILED: 233
 
-/* The third value may be that of an earlier turn of its row. */
+/* The third value may come from an earlier turn of its row. */
 static void older_values(int n, const double *x, double *f) {
     double d[3] = {0, 0, 0};
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -272,7 +272,7 @@ static void values_left_over(int n, const double *x, double *f) {
     }
 } // TILED: 259
 
-/* Row and column of one element are not one apart from each other. */
+/* Row i + 1 and column j may be one element. */
 static void uneven(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int j = i + 1; j < n; j++) {
@@ -362,7 +362,7 @@ static void records_begun_by_rows(int n, const double *x) {
     }
 } // TILED: 356
 
-/* The arrays overlap: the row of one is another column of the other. */
+/* The arrays overlap: an element that `f` updates as a row may be updated by `g` as another column. */
 static void two_arrays(int n, const double *x, double *f, double *g) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int j = i; j < n; j++) {
@@ -379,7 +379,7 @@ static void by_twos(int n, const double *x, double *f) {
         }
 } // NOT-TILED: 375
 
-/* Both counters by threes; the row's sums behind; and rows that begin elsewhere, or end in between. */
+/* Both counters step by threes, and the row's sums follow; other loops begin or end between multiples of the step. */
 static void by_threes(int n, const double *x, double *f) {
     int i, j;
     for (i = 0; i < n * 3; i += 3) { // EXPECT: transformed
@@ -450,7 +450,7 @@ static void walked_beside(int n, const double *x, double *f) {
     }
 } // NOT-TILED: 446
 
-/* A position that each turn steps: of packed triangles, above and below their rows. */
+/* Each turn steps a position in a packed triangle, above or below the diagonal. */
 static int packed_above(int n, const double *x, double *f, const double *packed) {
     int i, j, k = 2;
     for (i = 0; i < n; i++) { // EXPECT: transformed
@@ -481,7 +481,7 @@ static long packed_below(int n, int first, double *f, const double *packed) {
     return k;
 } // TILED: 476
 
-/* Functions set what the row keeps, or a pointer from in front of the inner loop does. */
+/* Functions set a variable kept for the row, or set it through a pointer from before the inner loop. */
 static double bond(double r, double *w) {
     if (r > 0.125)
         *w = r * 0.5;

@@ -1,5 +1,5 @@
-// Iterations of inner loops: in the owner-checked form a thread skips those in which it owns no row, if the
-// rest of the iteration has only updates and their operands. TURN: an ownership check is expected here.
+// Iterations of inner loops. In the owner-checked form a thread skips those in which it owns no row, if the
+// rest of the iteration consists of updates and their operands. INNER marks each expected ownership check.
 // INTEGERS: no
 #include <math.h>
 #include <stdio.h>
@@ -49,8 +49,8 @@ static void half_list(int n) {
     }
 }
 
-/* Names of the function's, each set again before it is used; or used by the turn after, behind the loop, or by a turn
- * that did not set it. */
+/* The function's variables: each is set again before use; or the next turn, or code after the loop, reads it; or a
+ * turn reads it without setting it. */
 static void names_of_the_function(int n) {
     int i, j, k, a, c;
     double dx, r2, e;
@@ -137,7 +137,7 @@ static void half_list_named(int n) {
     }
 }
 
-// The loops of a turn may be left, and it may itself be cut short.
+// A turn's loops may end early, and the turn itself may be cut short by `continue`.
 static void of_several_arrays(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         int k = 0, j, b;
@@ -160,7 +160,7 @@ static void of_several_arrays(int n) {
     }
 }
 
-// At the check no array element may exist: the condition decides.
+// At the check `j` may be out of bounds, since the condition follows it: the check must not read the element.
 static void under_condition(int n, int last) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -177,7 +177,7 @@ static void under_condition(int n, int last) {
     }
 }
 
-// In nested loops the inner one, if a row is known only there.
+// In a nest the inner loop has the check if only this loop determines a row.
 static void of_cells(int n, double *t) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -191,7 +191,7 @@ static void of_cells(int n, double *t) {
     }
 }
 
-// A stored value is read again later, in the same inner iteration.
+// A stored value is read again later in the same inner iteration.
 static void of_stored_values(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -204,7 +204,7 @@ static void of_stored_values(int n) {
     }
 }
 
-// The inner iterations' sum goes to a row that is known before them.
+// The sum of the inner iterations goes to a row that is known before them.
 static void of_sums(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -230,7 +230,7 @@ static void of_sums(int n) {
     }
 }
 
-// ---- no question
+// ---- no check
 
 static void with_sums_between(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -390,7 +390,7 @@ static void with_little_work(int n) {
     }
 }
 
-/* Only read through; what may set errno is left to the thread that leads. */
+/* The pointer is only read through. Only the thread that leads an iteration executes calls that may set errno. */
 static void pull(struct atom *from, int j, double *e) {
     const double *force = from[j].force;
     *e = sqrt(from[j].mass * from[j].mass) * 0.5 + from[j].charge * force[1];
@@ -409,7 +409,7 @@ static void by_reading(int n, struct atom *from) {
     }
 }
 
-/* What one turn stores the next one reads. */
+/* A turn stores a value that the next turn reads. */
 struct hold { double last; };
 static double exchange(struct hold *h, double v) {
     struct hold *const it = h;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A store gives allocated memory another type (C17 6.5p6), over what the loop stores when it is over: sums in
-// memory and own elements. Their types do not keep them apart; a guard compares their places.
-// MAY-RUN-SERIALLY: the overlapping calls have to
+// A store gives allocated memory another type (C17 6.5p6). Here it overwrites sums in memory and own elements, which
+// the loop stores only at its end. So their types do not show that they are disjoint, and a guard compares addresses.
+// MAY-RUN-SERIALLY: in some calls the arrays overlap
 // INTEGERS: no
-// covers: row 59, row 93
+// covers: row 59, row 93 of docs/constructs.md
 #include "case.h"
 
 enum { N = 3000, M = 300 };
@@ -11,7 +11,7 @@ static short k[N], x[N];
 static float y[N];
 static double g[M];
 
-/* The last iterations store over the sum, which is not updated any more. */
+/* The last iterations store over the sum after its last update. */
 static void sum_and_store(int n, double *restrict to, int *sum, float *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         to[k[t]] += 0.5;
@@ -21,7 +21,7 @@ static void sum_and_store(int n, double *restrict to, int *sum, float *h) {
     }
 }
 
-/* The store is conditional, and its place comes from a table. */
+/* The store is conditional, and its subscript comes from a table. */
 static void sum_and_scattered(int n, double *restrict to, long *sum, float *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         to[k[t]] -= 0.5;
@@ -31,7 +31,7 @@ static void sum_and_scattered(int n, double *restrict to, long *sum, float *h) {
     }
 }
 
-/* What is stored over the sum belongs to an iteration alone, and is stored when the loop is over. */
+/* Iteration t stores to e[t] only after the loop, which overwrites the sum if both are the same memory. */
 static int sum_and_own(int n, double *restrict to, int *restrict mark, int *sum, float *e) {
     int changes = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -57,7 +57,7 @@ static void two_own(int n, double *restrict to, int *mark, float *e) {
     }
 }
 
-/* Two sums and an array, all of which are read first: by type alone they are apart. */
+/* Two sums and an array, all read before they are stored: here types alone show that they are disjoint. */
 static void read_first(int n, double *restrict to, double *h, int *sum, float *other) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         to[k[t]] += 0.5;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Conditions that make the subscripts' computation safe: loads out of bounds, division by zero, null pointers,
-// far addresses. An inspector must not execute what the program does not.
-// covers: row 52
+// Conditions that make the subscripts' computation safe: they prevent loads out of bounds, divisions by zero,
+// null pointers and far addresses. An inspector must execute only loads that the program executes.
+// covers: row 52 of docs/constructs.md
 #include "case.h"
 
 enum { N = 9000, M = 600 };

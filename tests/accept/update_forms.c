@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Every way to write one update.
-// covers: row 20, row 21, row 39, row 27
+// All spellings of an update.
+// covers: row 20, row 21, row 39, row 27 of docs/constructs.md
 // COMPILERS: gcc clang-19
 // CFLAGS: -march=native
 #include "case.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The update is in a function that gets the element's or the row's address.
-// covers: row 18, row 20, row 37, row 87
+// A function makes the update: it gets the address of the element or of the row.
+// covers: row 18, row 20, row 37, row 87 of docs/constructs.md
 #include "case.h"
 
 enum { N = 12000, M = 800 };
@@ -97,7 +97,7 @@ static void records(int n) {
     }
 }
 
-/* ---- the array is a member of a struct whose address the function gets ---- */
+/* ---- the array is a member of a struct, and the function gets the struct's address ---- */
 
 typedef struct matrix {
     int columns;

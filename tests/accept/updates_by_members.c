@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that get a matrix, row and column, and update the element, which they find by the matrix' members;
-// these differ from one execution to the next.
-// covers: row 87
-// MAY-RUN-SERIALLY: if one call reads an element that it writes
+// Functions get a matrix, row and column, and find the element through the matrix's members. These members
+// differ from one execution to the next.
+// covers: row 87 of docs/constructs.md
+// MAY-RUN-SERIALLY: one call reads an element that it updates
 #include "case.h"
 
 enum { N = 4000, ROWS = 60, COLUMNS = 12 };
@@ -91,7 +91,7 @@ int main(void) {
         assemble_both(&s, N);
         of_a_table(each, N);
         beside_a_read(&own, c, N - round);
-        beside_a_read(&whole, c, N / 4); /* reads overlap writes: sequential */
+        beside_a_read(&whole, c, N / 4); /* reads overlap updates: sequential */
     }
     CASE_PRINT(a);
     CASE_PRINT(b);

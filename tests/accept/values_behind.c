@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Values of private variables after the loop, if only one of several paths uses them.
+// Values of private variables after the loop that only one of several paths uses.
 #include "case.h"
 
 enum { N = 5000, M = 400 };

@@ -1,5 +1,5 @@
-// Arrays whose lengths are computed where they are declared, before the loops: what the loops' variables hold
-// is known as before, and such arrays are read and updated as any others.
+// The program computes arrays' lengths at their declarations, before the loops. The analysis still knows the
+// values of other variables, and treats such arrays like all others.
 #include "case.h"
 // INTEGERS: no
 

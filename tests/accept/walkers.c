@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Local pointers that are set once in an iteration, or in an inner loop, and walk from there: windows, lists of
-// points in cells, elements of records; what headers step besides.
-// covers: row 47, row 89
-// MAY-RUN-SERIALLY: reads_walk is called for one plane as well
+// Local pointers, set once in an iteration or in an inner loop, that step through windows, lists of points in
+// cells, or elements of records. Loop headers step other variables as well.
+// covers: row 47, row 89 of docs/constructs.md
+// MAY-RUN-SERIALLY: one call of reads_walk reads the plane that it updates
 #include "case.h"
 
 enum { N = 3000, W = 60, H = 50, CELLS = 70 };
@@ -22,7 +22,7 @@ static double grid[W * H + 40], e[N + 40], weight[40];
 static struct both records[W * H + 40];
 static float plane[W * H], other_plane[W * H];
 
-/* The atoms of a cell are a list; each spreads over a window, row by row. */
+/* The atoms of a cell form a list. Each atom spreads over a window, row by row. */
 static void spread(struct lattice *l, int cells, const struct point *p, float cut, float h) {
     const int nx = l->nx, ny = l->ny, radius = (int)(cut / h);
     int g, n, i, j, ia, ib, ja, jb, index;
@@ -106,14 +106,14 @@ static void of_records(int n, struct both *to) {
     }
 }
 
-/* The pointer is the counter. */
+/* The pointer is the loop's counter. */
 static void to_an_end(int n, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (double *q = to + place[t], *end = q + length[t]; q < end; q++)
             *q += e[t];
 }
 
-/* ... with an integer as well, which is a subscript afterwards. */
+/* An integer is stepped along with the pointer and is a subscript afterwards. */
 static void counted_besides(int n, double *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const double *const end = to + place[t] + length[t];
@@ -125,7 +125,7 @@ static void counted_besides(int n, double *to) {
     }
 }
 
-/* The remaining weight decides where the last element is. */
+/* The variable `w` decides which element is the last. */
 static void step_is_a_subscript_later(int n, double *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         double *q = to + place[t], w = 1.0;
@@ -136,7 +136,7 @@ static void step_is_a_subscript_later(int n, double *to) {
     }
 }
 
-/* The window that is read may be the one that is updated. */
+/* The window read may be the window updated. */
 static void reads_walk(int n, float *to, const float *from) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         float *q = to + place[t];
@@ -146,7 +146,7 @@ static void reads_walk(int n, float *to, const float *from) {
     }
 }
 
-/* The element goes back as the pointer goes on. */
+/* The element's address decreases while the pointer increases. */
 static void mirrored(int n, double *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const double *q = to + place[t];
@@ -155,7 +155,7 @@ static void mirrored(int n, double *to) {
     }
 }
 
-/* Only some iterations follow the pointer. */
+/* Only some iterations use the pointer. */
 static void some_cells(const struct lattice *l, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         if (length[t] > 3) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Bounds that are floating literals of whole value: `#define N 1e4`.
-// covers: row 8, row 9
+// Bounds that are floating-point literals with whole values: `#define N 1e4`.
+// covers: row 8, row 9 of docs/constructs.md
 #include <stddef.h>
 
 #include "case.h"
@@ -45,7 +45,7 @@ static void types(void) {
         seen[6]++;
 }
 
-/* All pairs, and a condition on the counter. */
+/* All pairs, and a condition that compares the counter with a floating-point literal. */
 static void pairs(double cut) {
     for (int i = 0; i < POINTS; i++) // EXPECT: transformed
         for (int j = i + 1; j < POINTS; j++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// long double and complex elements.
-// covers: row 42
+// Elements of types long double and complex.
+// covers: row 42 of docs/constructs.md
 #include "case.h"
 #include <complex.h>
 
@@ -41,7 +41,7 @@ int main(void) {
             wide(N);
         planes(N);
         imaginary(N);
-        for (int i = 0; i < M; i++) { /* a long double has padding */
+        for (int i = 0; i < M; i++) { /* a long double has padding bytes, which must not be compared */
             shown[i][0] = (double)sums[i];
             shown[i][1] = (double)(sums[i] - (long double)shown[i][0]);
             shown[i][2] = creal(field[i]) + 3.0 * cimag(field[i]);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// Windows whose first and last rows have the extreme addresses of all updates, and windows that are nearly so.
+// Windows whose first and last rows hold all extreme addresses: the inspector visits these alone (HULL). Similar ones.
 #include "case.h"
 
 #include <math.h>
@@ -31,7 +31,7 @@ static void spread(int n, const float *px, const float *py, const float *v, floa
     }
 }
 
-/* Two arrays; iterations have leaders, since sqrtf may set errno; the rows' distance is a variable. */
+/* Two arrays. One thread leads each iteration, since sqrtf may set errno. The rows' distance is a variable. */
 static void two_arrays(int n, int pitch, const float *px, const float *py, float *g, float *w) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int left = (int)px[t] - 1, top = (int)py[t] - 2;
@@ -54,7 +54,7 @@ static void backwards(int n) {
     }
 }
 
-/* Three nested loops, a number of the row in a variable, counters as wide as addresses. */
+/* Three nested loops, a row number in a variable, and counters of the width of addresses. */
 static void in_space(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const size_t a = (size_t)(x[t] / 4), b = (size_t)(y[t] / 4), c = (size_t)(z[t] / 4);
@@ -67,7 +67,7 @@ static void in_space(int n) {
     }
 }
 
-/* A pointer to the row; a field of a record. */
+/* A pointer to the row, and a member of a record. */
 static void by_pointer(int n, cell *all) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int left = (int)x[t], top = (int)y[t];
@@ -89,7 +89,7 @@ static void few_rows(int n) {
     }
 }
 
-/* A share of the iterations updates several stripes of rows: owners have more than one range. */
+/* Some iterations update several stripes of rows, so an owner has several ranges of rows. */
 static void in_stripes(int n, const int *rows_at, float *g) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int left = first_of[t] + 4, top = rows_at[t];
@@ -99,7 +99,7 @@ static void in_stripes(int n, const int *rows_at, float *g) {
     }
 }
 
-/* A sum in the order of the loop, also of iterations that update no element. */
+/* A sum in the order of the loop, also in iterations that update no element. */
 static void with_sum(int n, float *g) {
     double sum = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -164,7 +164,7 @@ static void remainders(int n) {
     }
 }
 
-/* The address of a row that is left out may be any. */
+/* A row that the condition skips may have any address. */
 static void some_rows(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int left = (int)x[t] / 4;

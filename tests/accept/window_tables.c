@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// Tables outside of the loop, filled by an inner loop and read by others with the same header, whatever its bounds.
+// Tables outside the loop: an inner loop fills them, and others with the same header read them, for any bounds.
 #include "case.h"
 
 enum { N = 1500, SIDE = 24, TABLE = 12 };
 static int s[N], c[N], lows[N], highs[N];
 static double e[N], x[N], y[N], h[SIDE * 4], grid[SIDE * SIDE], line[SIDE];
 
-/* A window clipped to the grid, of a width that is known at run time; the tables by x - low. */
+/* A window clipped to the grid, of a width known at run time; the tables' subscript is x - low. */
 static void clipped(int n, double radius) {
     double across[TABLE], down[TABLE];
     int i, j;
@@ -30,7 +30,7 @@ static void clipped(int n, double radius) {
     }
 }
 
-/* Two counters, and unsigned bounds that an int is compared with. */
+/* Two counters, and unsigned bounds compared with an int. */
 static void two_counters(int n) {
     double w[TABLE];
     int at, k;
@@ -43,7 +43,7 @@ static void two_counters(int n) {
     }
 }
 
-/* Splines of an order that is a parameter; each loop has its own counter. */
+/* Splines whose order is a parameter; each loop has its own counter. */
 static void splines(int n, int order) {
     double a[TABLE], b[TABLE];
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -57,7 +57,7 @@ static void splines(int n, int order) {
     }
 }
 
-/* The table decides the elements; downwards, by twos. */
+/* The table gives the subscripts; loops run downwards in steps of two. */
 static void subscripts(int n) {
     int place[SIDE];
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -69,7 +69,7 @@ static void subscripts(int n) {
     }
 }
 
-/* Written once, changed and read twice; the reader ends early; all of it under a condition. */
+/* Under a condition, the table is written, changed and read twice. The loop that reads it may end early. */
 static void changed_again(int n, int order) {
     double w[TABLE];
     int k;

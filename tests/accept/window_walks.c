@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// Tables outside of the loop that pointers walk through: filled by an inner loop, read by others with the same header.
+// Tables outside the loop that pointers step through: an inner loop fills them, others with the same header read them.
 #include "case.h"
 
 enum { N = 1500, SIDE = 24, TABLE = 12 };
 static int s[N], c[N], lows[N], highs[N];
 static double e[N], x[N], y[N], h[SIDE * 4], grid[SIDE * SIDE], line[SIDE];
 
-/* A window clipped to the grid; the pointers are null until the first window. */
+/* A window clipped to the grid; the pointers are null before the first window. */
 static void clipped(int n, double radius) {
     double across[TABLE], down[TABLE], *dx = NULL, *dy = NULL;
     int i, j;
@@ -34,7 +34,7 @@ static void clipped(int n, double radius) {
     }
 }
 
-/* Stepped where they are used; each loop has its own pointer. */
+/* The pointers are stepped where they are used; each loop has its own pointer. */
 static void stepped_at_use(int n) {
     double w[TABLE];
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -51,7 +51,7 @@ static void stepped_at_use(int n) {
     }
 }
 
-/* Set before the loops, by an assignment and by a declaration; stepped at the end of the bodies. */
+/* The pointer is set before the loops, by an assignment or a declaration, and stepped at the end of their bodies. */
 static void set_before(int n, int order) {
     double w[TABLE], *to;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -69,7 +69,7 @@ static void set_before(int n, int order) {
     }
 }
 
-/* Two elements at a time, one pointer for all loops; the second reader ends early. */
+/* Two elements at a time, with one pointer for all loops; the second reader ends early. */
 static void in_pairs(int n, int order) {
     double w[2 * TABLE + 2], *p;
     int k;
@@ -88,7 +88,7 @@ static void in_pairs(int n, int order) {
     }
 }
 
-/* The pointer is the counter, up to an end. */
+/* The pointer is the loop's counter and runs up to an end. */
 static void to_an_end(int n, int order) {
     double w[TABLE];
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -100,7 +100,7 @@ static void to_an_end(int n, int order) {
     }
 }
 
-/* Downwards; as many elements as the table has, which no header needs to tell. */
+/* Downwards through the whole table, so its length is known from its declaration. */
 static void all_of_it(int n) {
     double w[TABLE], *p = NULL;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -113,7 +113,7 @@ static void all_of_it(int n) {
     }
 }
 
-/* The table decides the elements. */
+/* The table gives the subscripts. */
 static void subscripts(int n, int order) {
     int place[TABLE], *to, *from;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -131,7 +131,7 @@ static void subscripts(int n, int order) {
     }
 }
 
-/* What pointers have written is read by the table's name, as bounds and as steps. */
+/* Elements written through pointers are read through the table's name, as bounds and as steps. */
 static void read_by_name(int n) {
     int w[4] = {0}, *p;
     for (int t = 0; t < n; t++) { // EXPECT: transformed

@@ -1,5 +1,5 @@
-// Macros with parameters that are named like members of the runtime's structures: nothing that redcc writes
-// has a parenthesis behind these words.
+// Function-like macros named like members of the runtime's structures: generated code never has a
+// parenthesis after these names.
 // INTEGERS: no
 #include "case.h"
 

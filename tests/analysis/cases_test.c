@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* cases/ *.c against their EXPECT comments: cases_test FILE...; each is analysed twice, which must
- * give the same. */
+/* Compares the verdicts on the files of cases with their EXPECT comments. Usage: cases_test FILE...
+ * Each file is analysed twice, and both results must be equal. */
 #include <stdio.h>
 #include <string.h>
 

@@ -7,14 +7,14 @@
 
 #include "support/buffer.h"
 
-/* " h(+)"; where the order is kept " h(+,kept)" or, of no operator, " h(kept)". */
+/* Prints " h(+)", or " h(+,kept)" if the order is kept, or " h(kept)" if the update has no operator. */
 static void describe_array(buffer *out, const reduction_array *array) {
     const char *op = reduction_operator_spelling(array->op);
     buffer_format(out, " %s(%s%s%s)", array->name, op ? op : "",
                   op && array->order_is_kept ? "," : "", array->order_is_kept ? "kept" : "");
 }
 
-/* " rests-on=start,q": whose contents decide which elements are touched, each name once. */
+/* Prints " rests-on=start,q": the arrays whose contents select the touched elements, each name once. */
 static void describe_subscripts(buffer *out, const loop_facts *facts) {
     const char *joint = " rests-on=";
     for (unsigned i = 0; i < facts->source_count; i++) {
@@ -29,7 +29,7 @@ static void describe_subscripts(buffer *out, const loop_facts *facts) {
     }
 }
 
-/* How the sources are known before anything is written, and what of the slice is short. */
+/* Prints the numbers of subscripts, of recorded, checked and conditionally read sources, and of spans. */
 static void describe_sources(buffer *out, const loop_facts *facts) {
     unsigned subscripts = 0, told = 0, checked = 0, sometimes = 0;
     for (unsigned i = 0; i < facts->source_count; i++) {
@@ -127,7 +127,7 @@ analysis_options expectation_options(arena *a, const source *s) {
 
 /* ---- comparing ------------------------------------------------------------------------------- */
 
-/* Is each word of `expected` a word of `text`, and are all arrays expected? */
+/* Is each word of `expected` also in `text`, and does `expected` list all arrays of `text`? */
 static int words_agree(arena *a, const char *expected, const char *text) {
     char *words = arena_string(a, expected);
     const char *padded = arena_format(a, " %s ", text);

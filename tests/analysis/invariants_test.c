@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Builds with assertions stop where a verdict is not what analysis/base/facts.h says: the verdict
- * on one loop, changed in one place at a time. */
+/* In builds with assertions a verdict that violates analysis/base/facts.h stops the program. Each
+ * test changes one fact of a valid verdict. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -107,7 +107,7 @@ static void another_function(changed *c) {
     c->facts.function = NULL;
 }
 
-/* In a child process. */
+/* Checks the changed verdict in a child process. Returns true if no assertion fails. */
 static bool survives(change *make) {
     changed c = {.verdict = verdict, .facts = *verdict.facts};
     memcpy(c.arrays, c.facts.arrays, sizeof c.arrays);

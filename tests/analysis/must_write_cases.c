@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Cases of the must-write proof; must_write_cases.ir is this file as the frontend sees it. In each
+ * Cases of the must-write proof; must_write_cases.ir is made from this file by the frontend. In each
  * function whose name begins with proved_, early_ (read before written) or unknown_, the variable f
- * is judged for the body of the outermost loop that is counted by t. If the name ends in _whole, all
- * of f is definitely assigned when an iteration ends; otherwise not.
+ * is analysed in the body of the outermost loop whose counter is t. If the name ends in _whole, all
+ * of f is definitely assigned when an iteration ends; otherwise it is not.
  */
 #include <math.h>
 #include <string.h>
@@ -162,7 +162,7 @@ void proved_comma_whole(int n, const int *s) {
         g = (f = s[t], f + 1), use(g);
 }
 
-/* The order of the operands is not said. */
+/* The order in which the operands are evaluated is unspecified. */
 void early_unsequenced_whole(int n, const int *s) {
     double f[1] = {0};
     for (int t = 0; t < n; t++)
@@ -1168,7 +1168,7 @@ void proved_frexp_whole(int n, const double *v) {
     }
 }
 
-/* ---- text that the tree does not show --------------------------------------------------------- */
+/* ---- text that the syntax tree does not show -------------------------------------------------- */
 
 void unknown_size_of_inner_array(int n, const int *s) {
     int f = 1;
@@ -1190,7 +1190,7 @@ void proved_other_inner_array_whole(int n, int m, const double *v) {
     }
 }
 
-/* ---- orders and forms -------------------------------------------------------------------------- */
+/* ---- orders of evaluation, and forms of expressions -------------------------------------------- */
 
 static double filled(double *p) {
     p[0] = 1.0;
@@ -1344,7 +1344,7 @@ void early_counter_starts_beyond(int n, const double *v) {
 void early_unsigned_comparison(int n, const double *v) {
     double f[3] = {0};
     for (int t = 0; t < n; t++) {
-        for (int c = -1; c < 3u; c++) /* -1 is no less than 3u */
+        for (int c = -1; c < 3u; c++) /* -1 is converted to unsigned and not less than 3u */
             f[c + 1] = v[t];
         use(f[0]);
     }

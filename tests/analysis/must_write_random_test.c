@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The must-write proof against execution: random loop bodies over an array f of four doubles are
- * analysed, then executed many times with random data and every order of operands that C leaves
- * open. Every proved property must hold in every execution.
+ * The must-write proof is compared with executions. Random loop bodies over an array f of four
+ * doubles are analysed, then executed many times with random data, in every order of operands that C
+ * permits. Every proved property must hold in every execution.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -31,9 +31,9 @@ static unsigned below(unsigned n) {
 typedef struct generator {
     buffer out;
     unsigned names;
-    unsigned counters[16], counter_count; /* in scope, innermost last */
+    unsigned counters[16], counter_count; /* enclosing loops' counters, innermost last */
     unsigned pointers[16], pointer_count;
-    unsigned loops; /* around the place at hand, the judged one not counted */
+    unsigned loops; /* number of enclosing loops inside the analysed one */
 } generator;
 
 static void say(generator *g, const char *text) {
@@ -307,17 +307,17 @@ static void generate(generator *g) {
 
 typedef struct number {
     enum { PLAIN, INTO_F, INTO_S } kind;
-    double value; /* or the element pointed to */
+    double value; /* the number; for a pointer (INTO_F, INTO_S) the index of its element */
 } number;
 
 typedef enum exit_kind { EXIT_NONE, EXIT_BREAK, EXIT_CONTINUE, EXIT_RETURN } exit_kind;
 
 typedef struct machine {
     unsigned steps;
-    bool is_undefined; /* the program left the array, or runs too long: nothing is learnt */
+    bool is_undefined; /* the program left the array, or ran too long: its execution shows nothing */
     bool has_read_early;
     bool written[ELEMENTS];
-    number *variables; /* of the function at hand, by id */
+    number *variables; /* variables of the current function, by id */
     unsigned variable_count;
     const ir_variable *f;
     number result;
@@ -340,7 +340,7 @@ static int element_of(machine *m, number pointer) {
     return (int)pointer.value;
 }
 
-/* Address of an lvalue in memory. */
+/* Returns the address of an lvalue in memory, with its operands evaluated in a random order. */
 static number address(machine *m, const ir_node *node) {
     if (node->kind == IR_INDEX) {
         const bool is_other_order = below(2);
@@ -423,7 +423,7 @@ static number run_unary(machine *m, const ir_node *node) {
     }
 }
 
-/* An lvalue whose value is discarded is not read. */
+/* Evaluates an expression whose value is discarded; an lvalue is not read. */
 static void run_discarded(machine *m, const ir_node *node) {
     if (node->kind == IR_INDEX)
         address(m, node);
@@ -585,7 +585,7 @@ typedef struct tally {
     unsigned proved, early, early_seen, whole, undefined;
 } tally;
 
-/* cmocka cuts long messages. */
+/* Prints the program to standard error, since cmocka truncates long messages. */
 static void refute(const generator *g, const char *what) {
     fprintf(stderr, "%s:\n%s\n", what, g->out.data);
     fail_msg("%s", what);
@@ -647,7 +647,7 @@ static void test_against_execution(void **context) {
     tally sums = {0, 0, 0, 0, 0};
     for (uint64_t seed = 1; seed <= PROGRAMS; seed++)
         check_one(seed * UINT64_C(0x9e3779b97f4a7c15), &sums);
-    /* The comparison would say nothing if nothing were proved, or nothing executed. */
+    /* The comparison would be void if few properties were proved, or few programs executed. */
     print_message("proved %u, read early %u (seen %u), whole %u, undefined executions %u\n",
                   sums.proved, sums.early, sums.early_seen, sums.whole, sums.undefined);
     assert_true(sums.proved > PROGRAMS / 20);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The must-write proof on the functions of must_write_cases.c, read as IR text. */
+/* Tests the must-write proof on the functions of must_write_cases.c, read as IR text. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -123,7 +123,7 @@ static void test_cases(void **context) {
     assert_int_equal(wrong, 0);
 }
 
-/* Results of one query must not change another's answer. */
+/* The result of a query must not depend on earlier queries. */
 static void test_order_of_queries(void **context) {
     (void)context;
     must_write *prover = must_write_new(memory, unit, NULL);
@@ -178,14 +178,14 @@ static void test_parameters(void **context) {
     assert_true(effect.is_known && effect.writes_all && effect.may_read);
     effect = effect_of(prover, "fill_if", 1);
     assert_true(effect.is_known && effect.may_write && !effect.writes_all && !effect.may_read);
-    assert_false(effect_of(prover, "fill_n", 2).is_known); /* any length */
+    assert_false(effect_of(prover, "fill_n", 2).is_known); /* unknown length */
     assert_false(effect_of(prover, "fill_n", 2).keeps_address);
     assert_false(effect_of(prover, "fill_rows", 0).keeps_address);
     assert_true(effect_of(prover, "hide", 0).keeps_address);
     assert_true(effect_of(prover, "second", 0).keeps_address);
-    assert_false(effect_of(prover, "hide", 0).is_known);   /* keeps it */
+    assert_false(effect_of(prover, "hide", 0).is_known);   /* stores the pointer */
     assert_false(effect_of(prover, "deep", 1).is_known);   /* calls itself */
-    assert_false(effect_of(prover, "second", 0).is_known); /* gives it back */
+    assert_false(effect_of(prover, "second", 0).is_known); /* returns the pointer */
     assert_false(effect_of(prover, "fill", 7).is_known);
 }
 

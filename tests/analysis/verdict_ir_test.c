@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Verdicts from IR text, without a compiler; and the parts that have a contract of their own. */
+/* Tests verdicts on IR text, without a compiler, and parts of the analysis with a contract of their own. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +24,7 @@ static ir_unit *read_unit(arena *a, const char *text) {
     return unit;
 }
 
-/* A function of one loop around `body`: h and e double *, s int *, g int *. */
+/* Returns a function with one loop around `body`, with parameters h and e (double *), s and g (int *). */
 static ir_unit *unit_around(arena *a, const char *header, const char *body) {
     return read_unit(
         a, arena_format(a,
@@ -126,7 +126,7 @@ static void slice_has_what_subscripts_need(void **state) {
     assert_true(facts->slice.holds[body->children[0]->children[0]->id]);
     assert_false(facts->slice.holds[body->children[1]->children[0]->id]);
     assert_false(facts->slice.holds[body->children[2]->id]);
-    /* the subscript array is the one source; h restrict: e needs no guard */
+    /* the only source is the subscript array; since h is restrict, e needs no guard */
     assert_int_equal(facts->source_count, 1);
     assert_string_equal(facts->sources[0].name, "s");
     assert_true(facts->sources[0].is_subscript);
@@ -211,7 +211,7 @@ static void library_finds_all_of_its_kind(void **state) {
             fail_msg("%s", others[i]);
 }
 
-/* The owner of a name depends on the standard, and on its declaration. */
+/* Whether a name is the library's depends on the standard and on the name's declaration. */
 static void library_names_are_reserved(void **state) {
     (void)state;
     const ir_unit old = {.dialect.is_c89 = true}, new = {0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A function reads a[i * j] for both counters of its loops: the range of x that it reads ends with the
-// product of the largest, and may end in h.
+// A function reads a[i * j] for both counters of its loops: the range of x that it reads ends at the
+// product of the largest counters, which may be inside h.
 #include <stdio.h>
 
 enum { N = 4000, LAST = 36 };
@@ -31,7 +31,7 @@ int main(void) {
     for (int i = 0; i < 2 * N; i++)
         memory[i] = 1.0 / (i + 1);
     for (int r = 0; r < 3; r++)
-        scattered(N, memory, memory + LAST); /* the last element read is the first of h */
+        scattered(N, memory, memory + LAST); /* the last element read is h[0] */
     for (int r = 0; r < 3; r++)
         straight(N, memory, memory + N);
     double sum = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Unsigned subscripts that wrap around: in iterations that do not read (by an if, a continue, a
-// conditional expression, in a nested block, through a conversion), and between two that do.
-// The extents of x must hold what is read, or its overlap with h goes unseen.
+// conditional expression, a nested block, or a conversion), and between two that do. The extent of
+// x must contain all elements read, or the guard misses the overlap with h.
 #include <stdio.h>
 #include <sys/mman.h>
 
@@ -80,7 +80,7 @@ KEEP void pointer(unsigned n, const double *x, double *h) {
         h[k[t]] += t > 0 ? *(x + (t - 1)) : 2.0;
 }
 
-/* a label stands behind the condition */
+/* a case label inside the condition's branch */
 KEEP void labelled(unsigned n, const int *mark, const double *x, double *h) {
     for (unsigned t = 0; t < n; t++) { // EXPECT: transformed
         double v = 1.0;
@@ -95,7 +95,7 @@ KEEP void labelled(unsigned n, const int *mark, const double *x, double *h) {
     }
 }
 
-/* read by each iteration, around the end of 32 bits */
+/* each iteration reads, and t + u wraps around at 2^32 */
 KEEP void around(unsigned n, unsigned u, const unsigned char *x, int *h) {
     for (unsigned t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] += x[t + u] + 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// x[t - 1] is not read in the first iteration, where t - 1 wraps: the extent of x must not be taken
-// from the address there, or the overlap of x and h goes unseen.
+// The first iteration, where t - 1 wraps around, does not read x[t - 1]. If the extent of x were
+// taken from that address, the guard would miss the overlap of x and h.
 #include <stdio.h>
 
 enum { N = 4000 };
@@ -23,7 +23,7 @@ __attribute__((noipa)) static void straight(unsigned n, const double *x, double 
 
 int main(void) {
     for (int i = 0; i < N; i++)
-        k[i] = (int)((i * 2654435761u) % (N - 9)); /* not the last ones: the wrong extent begins there */
+        k[i] = (int)((i * 2654435761u) % (N - 9)); /* never the last elements, where a wrong extent would begin */
     for (int i = 0; i < 2 * N; i++)
         memory[i] = 1.0 / (i + 1);
     for (int r = 0; r < 3; r++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// t * stride overflows in the last iterations, which do not compute it: neither may the extent of x
-// be taken from there, nor may the inspector compute it there.
+// t * stride would overflow in the last iterations, which do not compute it. The extent of x must
+// not be taken from these values, and the inspector must not compute them.
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +47,7 @@ KEEP void invariant(int n, int m, int a, int b, const double *x, double *h) {
     }
 }
 
-/* the row of an update, under a condition of floating values that the inspector leaves out */
+/* the row of an update under a floating-point condition that the inspector leaves out */
 KEEP long updated(int n, const double *w, const int *i, int a, double *h) {
     long beyond = 0;
     for (int t = 0; t < n; t++) { // EXPECT: parallel
@@ -68,7 +68,7 @@ KEEP void along(int n, int m, int from, const double *w, signed char *h) {
     }
 }
 
-/* bytes at the end of what an int counts: t + from overflows behind the first m of them */
+/* t + from overflows after the first m iterations, which alone read x */
 KEEP void at_the_end(int n, int m, int from, const signed char *x, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         double v = 1.0;

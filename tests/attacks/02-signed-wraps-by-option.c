@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fwrapv
 // THREADS: 1 3
-// Subscripts of int that wrap around in the middle of the loop, which -fwrapv defines: the rows that are read
-// lie at both ends of 4 GB, and those at the lower end are the ones updated.
+// int subscripts that wrap around in the middle of the loop, as -fwrapv permits. The rows read lie at both
+// ends of 4 GB, and the rows at the lower end are updated.
 #include <limits.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -38,7 +38,7 @@ KEEP void widened(int n, int from, const signed char *x, double *h) {
         h[k[t]] += 0.1 * x[(long)(t + from) + 1];
 }
 
-/* The counter may pass INT_MAX, and then continues at INT_MIN. */
+/* The counter may pass INT_MAX and continue at INT_MIN. */
 KEEP void counters(int n, int step, double *h) {
     for (int t = n - 3; t <= n; t++) // EXPECT: refuse counter-wraps
         h[k[t & 7]] += 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The address of a scalar serves as a mark in a table. Threads that had copies of the scalar would
- * compare with the address of the copy. */
+/* The address of a scalar is a mark in a table. A thread with its own copy of the scalar would
+ * compare with the copy's address. */
 #include <stdio.h>
 #include <string.h>
 
@@ -92,7 +92,7 @@ static void outer_scope(int n) {
         entry[t] = 0;
 }
 
-/* the subscript depends on it: the inspector compares as well */
+/* the subscript depends on the mark: the inspector compares as well */
 static void in_the_subscript(int n) {
     static unsigned char sentinel;
     for (int t = 0; t < n; t += 6)
@@ -103,7 +103,7 @@ static void in_the_subscript(int n) {
     }
 }
 
-/* the pointer to the array itself goes by a copy of its name */
+/* the address of the pointer to the array, of which the generated code makes a copy */
 static void base_pointer(int n, double *b) {
     for (int t = 0; t < n; t += 6)
         entry[t] = &b;
@@ -114,7 +114,7 @@ static void base_pointer(int n, double *b) {
     }
 }
 
-/* what each iteration assigns, and the counter, have a copy in each thread; a sum has not */
+/* each thread has copies of the variables that iterations assign and of the counter, but not of a sum */
 static void private_mark(int n) {
     int i = 0;
     for (int t = 0; t < n; t += 6)

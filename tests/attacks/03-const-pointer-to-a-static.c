@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A const pointer with the address of a static scalar, and that scalar's value, in one loop: gcc puts the
-// initializer of a const variable in the variable's place, so that `seen` is `&mark` where each thread
-// has a copy of mark.
+// A const pointer to a static scalar, and the scalar's value, in one loop. gcc replaces a const
+// variable by its initializer, so `seen` becomes `&mark`, even where each thread has its own copy of
+// mark.
 #include <stdio.h>
 
 enum { N = 4000 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A look-up function reads at a place that an enumerator of its own says; the caller has another one
- * of that name, or none. What is compared from call to call must be what the function reads. */
+/* A look-up function reads at a subscript that its local enumerator determines. The caller has another enumerator of
+ * that name, or none. The elements compared from call to call must be those that the function reads. */
 #include <stdio.h>
 
 enum { SIZE = 9000, COUNT = 2000, ROWS = 64 };
@@ -70,7 +70,7 @@ static void variable_of_that_name(int n, int N) {
         h[look_in_a_block(table, t)] += 0.1 * N;
 }
 
-/* the table is the array that is updated, further on: a guard has to see it */
+/* the table is a later part of the updated array: a guard must detect the overlap */
 static int cells[SIZE];
 
 static int far(const int *a, int t) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A look-up function reads a table of the file; where the caller's loop stands, the table's name
+/* A look-up function reads a table of the file. In the scope of the caller's loop the table's name
  * means something else. */
 #include <stdio.h>
 
@@ -76,7 +76,7 @@ static void with_its_own(int n) {
         h[own_table(t)] += 0.1;
 }
 
-/* the table is declared below */
+/* the table is declared further below */
 static int look_later(int t);
 
 static void before_the_declaration(int n) {

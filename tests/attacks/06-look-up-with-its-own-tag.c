@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A look-up function has a type of its own, in a sizeof or a cast; the caller has another one of
- * that tag. */
+/* A look-up function uses its own struct type in a sizeof or a cast; the caller has another type
+ * with that tag. */
 #include <stdio.h>
 
 enum { SIZE = 40000, COUNT = 2000, ROWS = 64 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One name for several things: scopes within scopes, tags and variables, parameters and globals,
- * type names, enumerators, the names of the runtime's own members. */
+/* One name has several meanings: in nested scopes, as tag and variable, parameter and global, type
+ * name, enumerator, or member of the runtime's structures. */
 #include <stdio.h>
 enum { COUNT = 3000, ROWS = 64 };
 static double h[ROWS];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loop's body declares an enumeration, a tag or a type name; outside there is another one of that
- * name. What the inspector computes must use the body's. */
+/* The loop's body declares an enumeration, a tag or a type name that has another meaning outside. The
+ * inspector must use the meaning in the body. */
 #include <stdio.h>
 
 enum { COUNT = 3000, ROWS = 64 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A declaration in the loop's body names an object of the file that something else of this name hides
- * around the loop. The same object is declared in other functions too. */
+/* A declaration in the loop's body names an object of the file, whose name a local variable or
+ * parameter hides outside the body. Other functions declare the same object. */
 #include <stdio.h>
 
 enum { COUNT = 2000, ROWS = 32 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A restrict pointer declared in the loop's body promises something of each iteration alone
-// (C17 6.7.3.1p2: its block is the body): across iterations the two may be one array.
+// A restrict pointer declared in the loop's body holds for one iteration (C17 6.7.3.1p2: its block
+// is the body). In different iterations the pointers may lead into one array.
 #include <stdio.h>
 
 enum { N = 20000 };
@@ -11,7 +11,7 @@ __attribute__((noinline)) static double *same(double *p) {
     return p;
 }
 
-/* by a call, so that the pointer is a base of its own */
+/* the pointer is a function's result, so its array is not known to be `b` */
 static void called(int n, const int *s, double *b) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse
         const double *restrict x = same(b);
@@ -19,7 +19,7 @@ static void called(int n, const int *s, double *b) {
     }
 }
 
-/* set by another function before the loop, read in it */
+/* another function set the pointer before the loop, and the loop reads it */
 static double *kept;
 
 static void kept_elsewhere(int n, const int *s, double *b) {
@@ -29,7 +29,7 @@ static void kept_elsewhere(int n, const int *s, double *b) {
     }
 }
 
-/* a block inside the body */
+/* declared in a block inside the body */
 static void inner_block(int n, const int *s, double *b, double **table) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse may-alias
         if (s[t] != t) {
@@ -39,7 +39,7 @@ static void inner_block(int n, const int *s, double *b, double **table) {
     }
 }
 
-/* declared around the loop it holds for all iterations */
+/* declared around the loop, the promise holds for all iterations */
 static void around(int n, const int *s, double *b, double *p) {
     const double *restrict x = p;
     for (int t = 0; t < n; t++) // EXPECT: parallel
@@ -64,7 +64,7 @@ static void fill(double *v) {
 }
 
 int main(void) {
-    /* iteration t reads element t and updates another one: within an iteration nothing is shared */
+    /* iteration t reads element t and updates another one, so no iteration breaks the promise */
     for (int t = 0; t < N; t++)
         k[t] = (int)((t * 7919LL + 1) % N);
     for (int t = 0; t < N; t++)

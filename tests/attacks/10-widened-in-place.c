@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Memory of malloc has the type of what was stored last (C17 6.5p6): floats are read, and later
-// iterations store doubles over them, each after it was read. The types do not keep them apart.
+// Memory of malloc has the type of the value stored last (C17 6.5p6). Iterations read floats, and later ones store
+// doubles over floats already read. So types do not show that the arrays are disjoint.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 enum { N = 20000 };
 static short count[N];
 
-/* descending, element t of 8 bytes covers floats 2t and 2t + 1: read before in all iterations */
+/* element t has 8 bytes and overwrites floats 2t and 2t + 1, which earlier iterations have read */
 static void widen(int n, const int *k, const float *v, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         count[k[t]]++;
@@ -16,7 +16,7 @@ static void widen(int n, const int *k, const float *v, double *h) {
     }
 }
 
-/* integers that are made floating numbers of the same size */
+/* stores floats over integers of the same size */
 static void convert(int n, const int *restrict k, const int *v, float *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         count[k[t]]++;
@@ -24,7 +24,7 @@ static void convert(int n, const int *restrict k, const int *v, float *h) {
     }
 }
 
-/* read through subscripts: the inspector tells where */
+/* the subscripts of the reads are from a table, and the inspector records them */
 static void gathered(int n, const int *restrict k, const int *restrict from, const int *v, float *h) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         count[k[t]]++;
@@ -51,7 +51,7 @@ static void by_call(int n, const int *restrict k, const int *v, float *h) {
     }
 }
 
-/* apart, the same loops run in parallel; what reads its element first needs no guard */
+/* disjoint arrays: the loops run in parallel; a loop that reads its own element first needs no guard */
 static void stored_apart(int n, const int *k, const float *v, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         count[k[t]]++;

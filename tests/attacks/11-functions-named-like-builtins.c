@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The program's own functions, in another file, with names that only the compiler's builtins have
-// (parity for __builtin_parity), or that look like a variant of a library function (absf). Their
-// definitions stand below, behind a macro, as they would in another file.
+// Functions of the program in another file, named like compiler builtins without their prefix
+// (parity for __builtin_parity), or like a variant of a library function (absf). Their definitions
+// at the file's end stand for definitions in another file.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,7 +60,7 @@ static void by_sign(int n, const int *s) {
         h[s[t]] += isinf_sign(t);
 }
 
-/* the library's, and the builtins by their own names */
+/* library functions, and builtins under their own names */
 static void by_library(int n, const int *s) {
     for (int t = 0; t < n; t++) // EXPECT: parallel
         sums[s[t]] += sqrt(t) + fabsf((float)t) + (double)floorl(t) + abs(-t);
@@ -97,7 +97,7 @@ int main(void) {
     return 0;
 }
 
-/* Attributes that nothing is known of stand for the border between two files. */
+/* `weak` and `noinline` keep callers from seeing the definition, as in another file. */
 #define ELSEWHERE __attribute__((noinline, weak))
 ELSEWHERE int parity(int x) {
     calls++;

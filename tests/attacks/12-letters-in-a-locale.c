@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// isalpha and its like look into tables of the calling thread: those of its locale, and of the
-// global locale those that were there when the thread first looked. All threads use the tables of
-// the one that entered the loop.
+// isalpha and similar functions use tables of the calling thread: of its own locale, or of the
+// global locale as it was when the thread first used them. The translated loop must use the tables
+// of the thread that entered it.
 #define _GNU_SOURCE
 #include <ctype.h>
 #include <locale.h>
@@ -19,14 +19,14 @@ static void count(int n) {
             letters[text[t]]++;
 }
 
-/* the tables' own type */
+/* the updated array has the type of these tables */
 static void count_short(int n) {
     for (int t = 0; t < n; t++) // EXPECT: parallel
         if (isupper(text[t]) || isdigit(text[t]) || ispunct(text[t]))
             same_type[text[t]]++;
 }
 
-/* the table decides the subscript: a plan must not outlive the locale */
+/* the table determines the subscript: a plan must not be kept after the locale has changed */
 static void fold(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         lower[(*__ctype_tolower_loc())[text[t]] & 255]++;
@@ -51,7 +51,7 @@ int main(void) {
     for (int t = 0; t < N; t++)
         text[t] = (unsigned char)(t * 7919u >> 3);
     all("C");
-    /* 12-letters-in-a-locale-of-8-bits.sh makes one of 8 bits */
+    /* 12-letters-in-a-locale-of-8-bits.sh creates such a locale */
     static const char *const names[] = {"de_DE", "fr_FR", "de_DE.ISO-8859-1", "en_US.ISO-8859-1",
                                         "ru_RU.KOI8-R", "C.UTF-8"};
     for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++) {

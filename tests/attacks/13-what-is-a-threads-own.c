@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// errno, pthread_self() and functions declared const that give an address of the thread's own: other
-// threads get other answers.
+// errno, pthread_self() and functions declared const that return an address of the calling thread:
+// other threads would get other results.
 // OPTIONS: --pure=square
 #include <errno.h>
 #include <pthread.h>
@@ -81,7 +81,7 @@ int main(void) {
     return 0;
 }
 
-/* the border between two files */
+/* keeps callers from seeing the definition, as in another file */
 #define ELSEWHERE __attribute__((noinline, weak))
 ELSEWHERE int *place(int k) {
     (void)k;

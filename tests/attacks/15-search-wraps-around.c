@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Look-ups by a cursor that is narrow and begins again at 0, that starts from a value which its type
-// changes, or whose result the function's type changes: the elements that are compared to use a plan
-// again must be those that are read.
+// Look-ups with a narrow cursor that wraps around to 0, with a start that its type changes, or with
+// a result that the function's type changes. Before a plan is reused, the elements compared must be
+// those that are read.
 #include <stdio.h>
 
 enum { N = 4000, ROOM = 600 };
@@ -100,7 +100,7 @@ static void all(void (*loop)(int, int, const int *, const int *, double *restric
     numbers[at] = numbers[ROOM - 1] = 1;
     for (int r = 0; r < 5; r++)
         loop(N, 1, first, numbers, bins);
-    numbers[nearer] = 1; /* it is found from now on */
+    numbers[nearer] = 1; /* from now on the search finds this element */
     for (int r = 0; r < 3; r++)
         loop(N, 1, first, numbers, bins);
     double sum = 0;

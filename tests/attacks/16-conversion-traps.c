@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Operations that may trap or have no meaning, each under a condition that is dear to repeat: the
-// inspector must not come to them where the program does not.
+// Operations that may trap or are undefined, each under a condition that is expensive to repeat.
+// The inspector must not execute them where the program does not.
 #define _GNU_SOURCE
 #include <fenv.h>
 #include <math.h>
@@ -103,7 +103,7 @@ int main(void) {
         quotient_before(N / 4, 7, 2, x, h);
         plain(N);
     }
-    fedisableexcept(FE_INVALID | FE_DIVBYZERO); /* while exceptions trap, all is sequential */
+    fedisableexcept(FE_INVALID | FE_DIVBYZERO); /* until here exceptions trapped, and all loops were sequential */
     plain(N);
     double sum = 0;
     for (int i = 0; i < ROOM; i++)

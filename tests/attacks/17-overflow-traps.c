@@ -2,5 +2,5 @@
 // PROGRAM: 02-signed-overflows-where-not-computed.c
 // CFLAGS: -O1 -ftrapv
 // EXPECT-ALL: refuse option
-// Since such options refuse every loop, what is left to show is that the program is the same; the text
-// is also built without the option, with a sanitizer (17-overflow-under-ubsan.c), where it is translated.
+// These options refuse every loop, so this test only shows that the program is unchanged.
+// 17-overflow-under-ubsan.c translates the same text, with a sanitizer instead of -ftrapv.

@@ -1,4 +1,4 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // PROGRAM: 02-signed-overflows-where-not-computed.c
 // CFLAGS: -O1 -fsanitize=undefined -fno-sanitize-recover=all
-// t * stride would be reported where the program does not compute it.
+// The sanitizer would report t * stride if it were computed in iterations where the program does not compute it.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// lrint and its like round as the mode of the moment says: a plan made under another one is not
-// used again.
+// lrint and similar functions use the current rounding mode: a plan made under another mode must
+// not be reused.
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>

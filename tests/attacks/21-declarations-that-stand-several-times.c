@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The body's text stands several times in one function: not all that may be declared once may be
- * declared there again. */
+/* The body's text occurs several times in one function. Some declarations that are valid once are
+ * not valid twice. */
 #include <stdio.h>
 
 enum { COUNT = 2000, ROWS = 32 };

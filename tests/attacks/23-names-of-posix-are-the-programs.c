@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* ISO C leaves the names of POSIX to the program (C17 7.1.3), which may use them as it likes. */
+/* ISO C leaves the names of POSIX to the program (C17 7.1.3), so the program may define functions with these names. */
 // CFLAGS: -O2 -std=c11
 // METHODS: auto localwrite graph-localwrite
 #include <stdio.h>
@@ -28,7 +28,7 @@ static void fill(void) {
 int main(void) {
     for (int t = 0; t < N; t++)
         k[t] = (int)((t * 7919LL + t / 3) % K);
-    for (int round = 0; round < 60; round++) /* by and by its subscripts are watched */
+    for (int round = 0; round < 60; round++) /* long enough for the runtime to track writes to the subscripts */
         fill();
     double sum = 0;
     for (int i = 0; i < K; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Subscripts k[pos[t]] lie on both sides of pages that may not be read: POSIX. The plan is looked for
- * again in a second call, and all are changed in a third. */
+/* Subscripts k[pos[t]] lie on both sides of pages that must not be read (POSIX). A second call looks
+ * for the plan again, and a third changes all subscripts. */
 // METHODS: auto localwrite
 #define _GNU_SOURCE
 #include <stdio.h>
@@ -37,7 +37,7 @@ int main(void) {
         if (round > 2)
             k[far + 2 * round] = (k[far + 2 * round] + 1) % H;
     }
-    for (int round = 0; round < 4; round++) { /* at first all may be read, later not */
+    for (int round = 0; round < 4; round++) { /* in the first two rounds these pages may be read */
         mprotect((char *)k + AREA, AREA, round > 1 ? PROT_NONE : PROT_READ);
         through(k);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// x[...] is read behind `&&` or in a branch of `?:` of the update's own condition: what is compared when a
-// plan is used again holds no element that the program does not read.
+// x[...] is read after `&&` or in a branch of `?:` in the update's own condition. When a plan is reused,
+// only elements that the program reads may be compared.
 #include <stdio.h>
 
 enum { N = 400 };

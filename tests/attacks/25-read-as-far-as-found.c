@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A look-up through at most four elements stops at the first it likes: behind that one the object may
-// end, and with it the memory that may be read when contents are compared.
+// A look-up examines up to four elements and stops at the first match. The object, and the readable
+// memory, may end there, so a comparison of contents must not read further.
 #define _GNU_SOURCE
 #include <stdio.h>
 #include <sys/mman.h>
@@ -63,7 +63,7 @@ int main(void) {
     char *memory = mmap(NULL, size + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED || mprotect(memory + size, page, PROT_NONE) != 0)
         return 1;
-    int *end = (int *)(memory + size); /* all before it is 0 */
+    int *end = (int *)(memory + size); /* all elements before it are 0 */
     for (int i = 0; i < N; i++)
         k[i] = (int)(i * 2654435761u % N);
     for (int r = 0; r < 4; r++) {

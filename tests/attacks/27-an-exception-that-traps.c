@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Exceptions trap (glibc), and the handler leaves by siglongjmp: the loop must run where it was
- * called. */
+/* Floating-point exceptions trap (glibc), and the handler leaves by siglongjmp: the loop must run
+ * in the thread that called it. */
 // LINK: -lm
 #define _GNU_SOURCE
 #include <fenv.h>

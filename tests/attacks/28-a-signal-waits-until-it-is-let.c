@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The one thread that the program has blocks a signal and sends it to the process: it waits until it
- * is unblocked, and the handler runs in that thread. POSIX. */
+/* The program's only thread blocks a signal and sends it to the process. The signal must stay
+ * pending until this thread unblocks it, and the handler must run in this thread (POSIX). */
 #define _GNU_SOURCE
 #include <signal.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The first loop of all is executed by a handler, which found the program in malloc; OpenMP would take
- * memory for its threads. */
+/* A signal handler that interrupted malloc executes the program's first parallel loop. OpenMP would
+ * allocate memory for its threads there. */
 // THREADS: 2 3 7
 // METHODS: localwrite auto
 // SECONDS: 20
@@ -36,7 +36,7 @@ static void note(int number) {
         wrong += memcmp(own, expected, sizeof own) != 0;
     memcpy(expected, own, sizeof own);
     kept = 1;
-    if (++handled < 5) /* the program comes further before the next one */
+    if (++handled < 5) /* lets the program advance before the next signal */
         again(100);
 }
 

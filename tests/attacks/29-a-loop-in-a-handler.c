@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A handler executes a loop over data of its own while the program executes one. */
+/* While the program executes a loop, a signal handler executes another loop over other data. */
 // THREADS: 2 3 7
 #define _GNU_SOURCE
 #include <signal.h>
@@ -34,7 +34,7 @@ static void note(int number) {
     fill_other(own, N / 4);
     wrong += memcmp(own, expected, sizeof own) != 0;
     handled++;
-    if (!over) /* the program comes further before the next one */
+    if (!over) /* lets the program advance before the next signal */
         again(20 + handled % 64);
 }
 

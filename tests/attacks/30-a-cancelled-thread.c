@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A thread that only computes, and may be cancelled at any time: POSIX. */
+/* A thread that only computes and may be cancelled at any time (POSIX). */
 // THREADS: 2 3
 // METHODS: localwrite auto
 // LINK: -pthread

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A child made by _Fork (POSIX 2024) or by clone: handlers of fork are not called. */
+/* A child process made by _Fork (POSIX 2024) or by clone, which do not call the handlers of pthread_atfork. */
 // METHODS: localwrite auto
 #define _GNU_SOURCE
 #include <sched.h>

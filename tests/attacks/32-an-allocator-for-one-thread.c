@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The program brings an allocator of its own (as glibc allows), made for the one thread it has. */
+/* The program replaces malloc (as glibc permits) by an allocator that is safe for one thread only. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <stddef.h>
@@ -30,10 +30,10 @@ void *malloc(size_t bytes) {
 void free(void *block) {
     elsewhere += block && syscall(SYS_gettid) != getpid();
     if (block && ((char *)block < area || (char *)block >= area + sizeof area))
-        _exit(77); /* none of ours */
+        _exit(77); /* not from this allocator */
 }
 void *calloc(size_t count, size_t bytes) {
-    return malloc(count * bytes); /* all zero, since never used again */
+    return malloc(count * bytes); /* zero already, since memory is never reused */
 }
 #ifndef WITHOUT_ALIGNED /* 46-an-allocator-without-aligned-memory.c */
 void *aligned_alloc(size_t alignment, size_t bytes) {

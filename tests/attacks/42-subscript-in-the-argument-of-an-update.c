@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The subscript stands in the argument of the function that updates, h + s[t]: where its table
- * changes between two executions, a plan must not be kept. */
+/* The subscript is part of the updating function's argument, h + s[t]. If the table changes between
+ * two executions, the plan must not be kept. */
 #include <stdio.h>
 
 enum { SIZE = 6000, ROWS = 64 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A function that the loop calls reads x[at[t]] under a condition of its own. Where that does not
-// hold there may be no table `at` at all: the inspector, which tells &x[at[t]], must not read it.
+// A function that the loop calls reads x[at[t]] under a condition. If the condition does not hold,
+// `at` may not exist: the inspector, which records &x[at[t]], must not read it.
 #include <stdio.h>
 
 enum { N = 4000 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A search in a row always finds what it looks for, and the tables end with the page that holds the
- * last element that it reads: the row's end, as its bounds have it, lies behind. The inspector tells
- * where the whole row lies, but nothing of it may be read that the program does not read. covers: row 80 */
+/* A search in a row always finds its element, and readable memory ends with the page of the last element
+ * read. The row's end is further on. The inspector records the whole row's extent, but it must read only
+ * elements that the program reads. covers: row 80 of docs/constructs.md */
 #define _DEFAULT_SOURCE
 #include <stdio.h>
 #include <string.h>
@@ -35,14 +35,14 @@ __attribute__((noinline)) static void scatter(int n, const int *ptr, const int *
     }
 }
 
-/* The bounds are behind a null pointer in some calls: nobody reads them then. */
+/* In some calls `count` has null pointers, and then no iteration reads the bounds. */
 __attribute__((noinline)) static void limited(int n, const int *const *count, const double *x,
                                               double *a) {
     for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
         a[wanted[e]] += first_below(x, count[e], v[e]);
 }
 
-/* The neighbour: all of each row is read. */
+/* For comparison: this function reads all of each row. */
 static double sum_of(const int *ptr, const int *col, const double *x, int i) {
     double sum = 0;
     for (int k = ptr[i]; k < ptr[i + 1]; k++)
@@ -79,9 +79,9 @@ int main(void) {
     for (int e = 0; e < N; e++)
         counts[e] = e % 3 ? &few : NULL;
     for (int round = 0; round < 6; round++) {
-        ptr[ROWS] = length + (round & 1 ? 3000 : 0); /* but what is wanted is found before */
+        ptr[ROWS] = length + (round & 1 ? 3000 : 0); /* the search ends before the further elements */
         scatter(N, ptr, col, h);
-        col[(round * 7 + 1) * each + 5] = 7; /* twice in that row: the first one counts */
+        col[(round * 7 + 1) * each + 5] = 7; /* twice in that row: the search finds the first */
         limited(N, counts, positions, h);
     }
     ptr[ROWS] = length;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A declaration before the definition sets compiler options for a function, by an attribute. The body of
-// its loop must not be moved to another function, which would round differently.
+// A declaration before the definition sets compiler options for the function by an attribute. The loop's
+// body must not move to another function, which would round differently.
 #include <stdio.h>
 
 enum { N = 40000, K = 64 };

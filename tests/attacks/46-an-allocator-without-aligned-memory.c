@@ -3,5 +3,5 @@
 // CFLAGS: -O2 -DWITHOUT_ALIGNED -DSIZE=600000 -DAREA=(256<<20)
 // METHODS: auto localwrite binning
 // EXPECT-ALL: transformed
-// The program's allocator has what glibc asks for and no more. OpenMP's library takes aligned memory from
-// the C library, which must not be given to the program's free.
+// The program's allocator has only the functions that glibc requires. OpenMP's library gets aligned
+// memory from the C library, and this memory must not reach the program's free.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -std=c2x
 // METHODS: auto localwrite binning
-// C23's quotes between digits begin no character constant.
+// In C23 a quote between digits does not begin a character constant.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -std=gnu11
 // METHODS: auto localwrite binning
-// GNU's raw strings: what looks like a directive in them is text.
+// GNU C's raw strings: in them a line that looks like a directive is text.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // METHODS: auto localwrite binning
-// A comment's mark in two lines, behind a star, which ends no comment: what follows is a directive.
+// A comment mark split across two lines, after a star that ends no comment: the next line is a directive.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // METHODS: auto localwrite binning
-// A comment's mark in two lines: what follows is a directive, and no comment.
+// A comment mark split across two lines: the next line is a directive, not part of a comment.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp
 // METHODS: auto localwrite binning
-// _Pragma, written in two lines.
+// The operator _Pragma, split across two lines.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

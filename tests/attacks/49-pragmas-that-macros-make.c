@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp
 // METHODS: auto localwrite binning
-// Directives that no text of the loop shows: one needs a team of one thread, one a statement behind it.
+// Directives that the loop's text does not show. One needs a team of one thread, another a statement after it.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };
 static int k[N];
 static double h[K], v[N];
 
-#define EARLIER PRAGMA(omp atomic) /* it names what is defined behind it */
+#define EARLIER PRAGMA(omp atomic) /* uses PRAGMA, which is defined below */
 #define PRAGMA(text) _Pragma(#text)
 #define ATOMIC PRAGMA(omp atomic)
 #define PASTED(which) ATO##which

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp
 // METHODS: auto localwrite binning
-// Directives belong to the team whose thread meets them: outside of parallel regions a team of one.
+// A directive applies to the team of the thread that reaches it: outside parallel regions a team of one.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

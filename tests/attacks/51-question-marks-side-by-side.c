@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -std=c11
 // METHODS: auto localwrite binning
-// Two question marks and a slash would be a backslash where ISO's C is asked for: written as the source has
-// them they are a string, and so they stay.
+// With -std=c11 two question marks and a slash would be a trigraph for a backslash. The source writes them
+// so that they are an ordinary string, which the output must keep.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

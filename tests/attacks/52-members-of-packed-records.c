@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fsanitize=alignment -fno-sanitize-recover=all
 // METHODS: auto localwrite binning
-// Members of packed records are not aligned as their types are: none may be accessed by a plain pointer.
+// Members of packed records may be misaligned for their type: none may be accessed through an ordinary pointer.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -2,8 +2,8 @@
 // CFLAGS: -O2 -fsanitize=integer -fno-sanitize-recover=all
 // METHODS: auto localwrite binning
 // COMPILERS: clang-19
-// The sanitizer ends programs whose unsigned numbers wrap around, which is legal: the program does nothing of
-// the kind, so nothing that stands in it may.
+// This sanitizer ends a program whose unsigned numbers wrap around, although that is legal. The program has
+// no such operation, and the generated code must have none either.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fsanitize=undefined -fno-sanitize-recover=all
 // METHODS: auto localwrite binning expansion
-// Partial sums that the program does not form overflow, and so would what is computed with values that are
-// read before they are known to be final.
+// Partial sums in another order than the program's would overflow. So would computations on values that
+// are read before they are final.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };
@@ -28,7 +28,7 @@ int main(void) {
         for (int i = 0; i < K; i++)
             low[i] = -2147483647;
         copies(N, k, more);
-        /* the shift by both[200] has a meaning once the first iteration has added to it */
+        /* the shift by both[200] is defined only after the first iteration has added to it */
         for (int i = 0; i < N; i++) {
             k[i] = i == 0 ? 200 : K - 1;
             both[i] = i == 0 ? 2 : i == 200 ? 60 : i % 20;

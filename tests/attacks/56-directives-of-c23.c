@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -std=c11
 // METHODS: auto localwrite binning
-// A directive of C23: gcc passes over it in C11, clang heeds it.
+// A directive of C23: gcc ignores it in C11, clang obeys it.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

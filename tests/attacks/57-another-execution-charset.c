@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fexec-charset=latin1
 // METHODS: auto localwrite binning
-// Strings have other bytes than the source.
+// With this option strings have other bytes than in the source.
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp
 // METHODS: auto localwrite binning
-// A macro makes a variable thread-local.
+// A macro expands to a directive that makes a variable thread-local.
 #define PRAGMA(x) _Pragma(#x)
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp
 // METHODS: auto localwrite binning
-// The operator that makes a pragma is itself made of pieces.
+// The name _Pragma is itself pasted together by ##.
 #define PASTE(a, b) a##b
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp
 // METHODS: auto localwrite binning
-// A macro that makes a pragma is defined and called in two spellings of one name.
+// A macro that expands to a pragma is defined and used under two spellings of one name.
 #define \u00e9t\u00e9 _Pragma("omp master")
 #include <stdio.h>
 

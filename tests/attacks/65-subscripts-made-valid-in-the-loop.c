@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 65: what decides where the inspector reads may be an array that the loop updates: its
-// values of before the loop are subscripts of nothing, far outside of all that the program has,
-// until the iterations before make them valid. Neighbours: the same loops, apart and in parallel.
+// The inspector may have to read where an array that the loop updates tells it to. Before the loop
+// the array's values are invalid subscripts, far outside the program's memory, until earlier
+// iterations make them valid. For comparison the same loops run in parallel on disjoint arrays.
 // METHODS: auto localwrite localwrite-direct localwrite-steal graph-localwrite wavefront
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { N = 20000, FEW = 2000, FAR = 1000000000 };
 
-/* The key: each iteration's own lim[idx[0]]. */
+/* The plan's key contains lim[idx[0]], which each iteration may change. */
 static __attribute__((noinline)) void keyed(int n, const int *s, const int *by, int *h,
                                             const int *idx, const int *lim, double *g) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse
@@ -17,7 +17,7 @@ static __attribute__((noinline)) void keyed(int n, const int *s, const int *by, 
     }
 }
 
-/* Made valid in the iteration that reads it. */
+/* The iteration that reads the subscript makes it valid. */
 static __attribute__((noinline)) void touched(int n, const int *s, const int *by, int *h,
                                               const int *idx, const int *lim, double *g) {
     for (int i = 0; i < n; i++) { // EXPECT: parallel
@@ -26,13 +26,13 @@ static __attribute__((noinline)) void touched(int n, const int *s, const int *by
     }
 }
 
-/* One array of counters, one of subscripts, one map, all of one type. */
+/* The counters, the subscripts and the map are arrays of one type and may overlap. */
 static __attribute__((noinline)) void counted(int n, int *count, const int *map, const int *k) {
     for (int i = 0; i < n; i++) // EXPECT: parallel
         count[map[k[i]]] += FAR;
 }
 
-/* How often a loop inside iterates. */
+/* The trip count of an inner loop is read from the updated array. */
 static __attribute__((noinline)) void bounded(int n, int *count, const int *row,
                                               const int *column) {
     for (int i = 0; i < n; i++) // EXPECT: parallel
@@ -40,7 +40,7 @@ static __attribute__((noinline)) void bounded(int n, int *count, const int *row,
             count[column[j]] += FAR;
 }
 
-/* A divisor; and a condition without which it is not evaluated. */
+/* A divisor is read from the updated array; one loop evaluates it only under a condition. */
 static __attribute__((noinline)) void divided(int n, int *h, const int *s, const int *d,
                                               double *g) {
     for (int i = 0; i < n; i++) { // EXPECT: parallel
@@ -58,14 +58,14 @@ static __attribute__((noinline)) void decided(int n, int *h, const int *s, const
     }
 }
 
-/* Two steps: nobody knows beforehand where the second table is read; */
+/* Two levels of tables: the second table's subscripts are unknown before the loop. */
 static __attribute__((noinline)) void chained(int n, int *count, const int *map, const int *k,
                                               const int *far) {
     for (int i = 0; i < n; i++) // EXPECT: parallel
         count[map[far[k[i]]]] += FAR;
 }
 
-/* nor where a condition lets it be read. */
+/* A condition decides whether a table is read. */
 static __attribute__((noinline)) void sifted(int n, int *count, const int *map, const int *k,
                                              const char *is_in) {
     for (int i = 0; i < n; i++) // EXPECT: parallel
@@ -73,7 +73,7 @@ static __attribute__((noinline)) void sifted(int n, int *count, const int *map, 
             count[map[k[i]]] += FAR;
 }
 
-/* The same where the slice stands in place, as the loop leaves a value. */
+/* The slice cannot be a separate function here, since the loop leaves the value `last`. */
 static __attribute__((noinline)) int left(int n, int *count, const int *map, const int *k) {
     int last = 0;
     for (int i = 0; i < n; i++) { // EXPECT: parallel
@@ -83,7 +83,7 @@ static __attribute__((noinline)) int left(int n, int *count, const int *map, con
     return last;
 }
 
-/* Made valid in the iteration that reads it, and the slice stands in place. */
+/* The iteration that reads the subscript makes it valid, and the loop leaves a value. */
 static __attribute__((noinline)) int touched_left(int n, const int *s, const int *by, int *h,
                                                   const int *idx, const int *lim, double *g) {
     int last = 0;
@@ -132,7 +132,7 @@ static void fill(int first) {
         s[i] = i;
         h[i] = first;
         by[i] = -first + i;
-        lim[i] = i % FEW; /* one in FEW depends on another: few barriers of wavefront */
+        lim[i] = i % FEW; /* one iteration in FEW depends on another, so the wavefront method needs few barriers */
         k[i] = (int)((unsigned)i * 7919u % N);
         map[i] = (int)((unsigned)i * 104729u % 5000u);
         far[i] = N - 1 - i;
@@ -150,7 +150,7 @@ static void show(const char *name) {
     printf("%s %u %u %a\n", name, total(h, N), total(count, N), sum(g, N));
 }
 
-/* What an iteration reads is made valid by those before it. */
+/* Earlier iterations make valid what an iteration reads. */
 static void in_order(void) {
     fill(-FAR);
     touched(N, s, by, h, h, lim, g);
@@ -177,14 +177,14 @@ static void in_order(void) {
         k[i] = i == 0 ? 0 : i - FAR;
     const int last = left(N - 1, k, map, k);
     printf("left %d %u\n", last, total(k, N));
-    for (int i = 0; i < N; i++) { /* far[k[i + 1]] */
+    for (int i = 0; i < N; i++) { /* iteration i makes far[k[i + 1]] valid */
         far[i] = i == 0 ? 0 : i - FAR;
         k[i] = i;
         map[i] = i + 1;
     }
     chained(N - 1, far, map, k, far);
     printf("chained %u\n", total(far, N));
-    for (int i = 0; i < N; i++) { /* k[i + 2], of those that are read at all */
+    for (int i = 0; i < N; i++) { /* iteration i makes k[i + 2] valid, if that is read at all */
         k[i] = i < 2 ? i : i - FAR;
         map[i] = i + 2;
         is_in[i] = i % 5 != 0 || i % 2;
@@ -193,7 +193,7 @@ static void in_order(void) {
         is_in[i] = is_in[i - 2] && i % 7;
     sifted(N - 2, k, map, k, is_in);
     printf("sifted %u\n", total(k, N));
-    for (int i = 0; i < N; i++) { /* and row[i + 2] */
+    for (int i = 0; i < N; i++) { /* iteration i makes row[i + 2] valid */
         row[i] = i < 2 ? i : i - FAR;
         column[i] = i + 2;
     }
@@ -221,7 +221,7 @@ static void apart(void) {
         wide[i] = k[i];
         map[i] = i;
     }
-    counted(N, count, map, k); /* each once: FAR does not overflow */
+    counted(N, count, map, k); /* each element is updated once, so adding FAR does not overflow */
     touched(N, s, lim, h, k, lim, g);
     show("counted and touched apart");
     for (int i = 0; i < N; i++)
@@ -232,7 +232,7 @@ static void apart(void) {
         count[i] = 0;
     printf("left apart %d ", left(N, count, map, k));
     printf("%u\n", total(count, N));
-    for (int i = 0; i < N; i++) { /* neighbours, updated upwards and read downwards */
+    for (int i = 0; i < N; i++) { /* for comparison: updates go upwards and reads downwards */
         k[i] = N - 1 - i;
         both[i] = 0;
         both[N + i] = N - 1 - i;

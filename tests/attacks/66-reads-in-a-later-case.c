@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 66: what the loop leaves in x is read behind it, in places that stand in the text behind a
-// statement that writes x and yet are reached without it: by another case of a switch, by an
-// initialiser that is evaluated earlier. Neighbours: behind the loop x is written first, on every way.
+// After the loop the program reads the last x. In the text a write of x precedes the read, but a path
+// skips it: another case of a switch, or an initialiser evaluated earlier. For comparison: functions
+// that write x on every path.
 #include <stdio.h>
 
 enum { N = 20000 };
@@ -39,7 +39,7 @@ static __attribute__((noinline)) int in_a_default(int n, int v) {
     }
 }
 
-/* A case in a statement that writes before it. */
+/* A case label inside a statement that writes x before the label. */
 static __attribute__((noinline)) int in_a_case_inside(int n, int v) {
     int x = 7, y = 0;
     for (int t = 0; t < n; t++) { // EXPECT: parallel
@@ -73,7 +73,7 @@ static __attribute__((noinline)) int in_a_later_round(int n, int v) {
     return y;
 }
 
-/* The second element's initialiser comes first in the text. */
+/* The initialiser of element 1 precedes that of element 0 in the text. */
 static __attribute__((noinline)) int in_an_initialiser(int n) {
     int x = 7;
     for (int t = 0; t < n; t++) { // EXPECT: parallel
@@ -84,7 +84,7 @@ static __attribute__((noinline)) int in_an_initialiser(int n) {
     return both[1] == 1;
 }
 
-/* Written first: by all cases, behind a jump that leads past the reads as well. */
+/* All cases write x first, or jump past the reads. */
 static __attribute__((noinline)) int in_no_case(int n, int v) {
     int x = 7, y = 0;
     for (int t = 0; t < n; t++) { // EXPECT: parallel

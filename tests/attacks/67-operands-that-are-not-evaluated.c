@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 67: an assignment that stands in an operand which the compiler is only asked about, and
-// which nothing evaluates: behind the loop it writes nothing, so that what the loop leaves is read;
-// in the loop it is no step. Neighbours: the same where it is evaluated.
+// An assignment inside an operand that is never evaluated, as of sizeof. After the loop it writes
+// nothing, so the loop's last value is read; within the loop it steps nothing. For comparison: the
+// same assignments where they are evaluated.
 #include <stdio.h>
 
 enum { N = 20000 };

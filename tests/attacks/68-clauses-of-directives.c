@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 68: behind the loop the program itself has OpenMP directives, whose clauses read what
-// the loop leaves, or give a construct its own copy, so that an assignment in it writes another
-// variable. Neighbours: the same function without directives.
+// After the loop the program has OpenMP directives whose clauses read the loop's last value, or
+// give a construct its own copy, so that an assignment in it writes another variable. For
+// comparison: the same function without directives.
 // CFLAGS: -O2 -fopenmp
 #include <omp.h>
 #include <stdio.h>
@@ -64,7 +64,7 @@ static __attribute__((noinline)) int own_copies(int n) {
     return x;
 }
 
-/* Nothing names x, and yet it is each thread's own: it counts the loop below the directive. */
+/* No clause names x, but it is private to each thread as the counter of the loop after the directive. */
 static __attribute__((noinline)) int counted(int n) {
     int x = 1;
     for (int t = 0; t < n; t++) { // EXPECT: parallel

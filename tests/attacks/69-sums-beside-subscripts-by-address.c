@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 69: the subscript is a variable that a call fills through its address, and a call
-// elsewhere in the loop gets its value. That call's statement was taken for one that may fill the
-// variable, and the inspector executed it: sums, extrema and stores that are the executor's to make
-// were made twice, by all threads at once. Neighbours: the call does fill the variable.
+// A call fills the subscript variable through its address, and another call gets its value. The
+// second call must not be mistaken for one that may fill it: the inspector would execute it, and
+// sums, extrema and stores that belong to the executor would be made twice. For comparison: a call
+// that does fill the variable.
 #include <stdio.h>
 #include <string.h>
 
@@ -73,7 +73,7 @@ static __attribute__((noinline)) int a_count(int n) {
     return count;
 }
 
-/* The update itself has a call that gets the value. */
+/* The update itself calls a function with the value. */
 static __attribute__((noinline)) void an_update(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         int k;
@@ -82,7 +82,7 @@ static __attribute__((noinline)) void an_update(int n) {
     }
 }
 
-/* An element of the iteration's own, which it changes. */
+/* An element of the iteration itself, which the iteration changes. */
 static __attribute__((noinline)) void a_store(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         int k;
@@ -92,7 +92,7 @@ static __attribute__((noinline)) void a_store(int n) {
     }
 }
 
-/* The call gets the address: for all that its text shows here, it may fill the variable. */
+/* The call gets the address and, as far as the analysis knows, may fill the variable. */
 static __attribute__((noinline)) double a_sum_by_address(int n) {
     double sum = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -104,7 +104,7 @@ static __attribute__((noinline)) double a_sum_by_address(int n) {
     return sum;
 }
 
-/* What fills the subscript is the sum's operand: no two statements. */
+/* The call that fills the subscript is the sum's operand: both are in one statement. */
 static __attribute__((noinline)) double a_sum_that_finds(int n) {
     double sum = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed

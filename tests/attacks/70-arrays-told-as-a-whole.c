@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Attack 70: the function that the slice becomes gets a pointer to an array of the block around the
-// loop. Where an iteration may read any of its elements the array was told as a whole, and by the
-// pointer's own address, on the worker's stack: the contents of terabytes were to be compared, a
-// piece at a time, and elements that were read were not among them. Neighbours: the same loops.
+// The slice becomes a function that gets a pointer to an array of the enclosing block. If an
+// iteration may read any element, the whole array must be recorded at its own address. The
+// address of the pointer, on the worker's stack, would record terabytes and miss elements that
+// are read.
 // METHODS: auto localwrite
 #include <stdio.h>
 #include <string.h>
@@ -61,7 +61,7 @@ int main(void) {
     for (int i = 0; i < L + N; i++)
         values[i] = 1.0 / (1 + i);
     for (int round = 0; round < 8; round++) {
-        e[N - 5 - round][2] += 17; /* what is read under the inner loops alone */
+        e[N - 5 - round][2] += 17; /* changes elements that only the inner loops read */
         static_array((const long(*)[3])e, counts, values, sums);
         automatic_array((const long(*)[3])e, counts, values, sums);
     }

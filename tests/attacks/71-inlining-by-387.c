@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Attack 71: under -mfpmath=387 and -ffast-math bits depend on what is inlined. A loop with
-// floating-point arithmetic was left alone, another of the file was not: the functions that both
-// call were then called once more, gcc inlined them no longer, and the first loop rounded its sum
-// otherwise, in a text that was the same. Neighbour: a file without such arithmetic (71-integers).
+// With -mfpmath=387 the bits depend on what gcc inlines. If one loop were translated and another
+// refused, functions that both call would have one more caller. gcc would no longer inline them,
+// and the refused loop would round differently. For comparison: 71-integers-by-387.c, a file
+// without floating-point arithmetic.
 // CFLAGS: -O1 -mfpmath=387
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Neighbour of attack 71: nothing that is compiled of this file computes in floating point. (What
-// stdlib.h defines of atof, and a function that nobody calls, are not.)
+// For comparison with 71-inlining-by-387.c: no compiled function of this file computes in floating
+// point. (atof of stdlib.h, and a function without callers, are not compiled.)
 // CFLAGS: -O1 -mfpmath=387 -ffast-math
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Plans are kept for two arrays that lie apart. Then both become one memory object, at the addresses
- * that they have, and apart again: POSIX. */
+/* Plans are kept for two disjoint arrays. Then both are mapped to one memory object, at their
+ * addresses, and to two again (POSIX). */
 // METHODS: auto binning localwrite localwrite-steal graph-localwrite wavefront
 // THREADS: 1 2 3 16
 #define _GNU_SOURCE

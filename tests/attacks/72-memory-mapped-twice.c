@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One memory object at two addresses: two mappings side by side (a ring buffer), a segment that is
- * attached twice, a file that is mapped shared and private, a mapping that mremap copies. POSIX,
+/* One memory object at two addresses: two adjacent mappings (a ring buffer), a segment attached
+ * twice, a file mapped both shared and private, and a mapping that mremap copies. POSIX and
  * Linux. */
 // METHODS: auto binning localwrite localwrite-steal graph-localwrite wavefront atomic dwa-lip expansion
 // THREADS: 1 2 3 7 33
@@ -15,13 +15,13 @@
 enum { N = 20000, H = 8192, BYTES = H * (int)sizeof(long), ROUNDS = 3 };
 static int k[N], m[N];
 
-/* Counts go to both copies of the ring. */
+/* Updates both mappings of the ring. */
 __attribute__((noinline)) static void ring(long *h) {
     for (int t = 0; t < N; t++) // EXPECT: transformed
         h[k[t] + (t & 1) * H] += t;
 }
 
-/* Only one of them: the neighbour runs in parallel. */
+/* Updates only one mapping: for comparison, runs in parallel. */
 __attribute__((noinline)) static void half_of_a_ring(long *h) {
     for (int t = 0; t < N; t++) // EXPECT: parallel
         h[k[t]] += t;
@@ -41,7 +41,7 @@ __attribute__((noinline)) static void two_arrays_apart(long *a, long *b) {
     }
 }
 
-/* What is read changes while the loop runs. */
+/* The loop's updates change what it reads. */
 __attribute__((noinline)) static void reads(long *h, const long *x) {
     for (int t = 0; t < N; t++) // EXPECT: transformed
         h[k[t]] += x[m[t]] & 1023;
@@ -52,13 +52,13 @@ __attribute__((noinline)) static void reads_apart(long *h, const long *x) {
         h[k[t]] += x[m[t]] & 1023;
 }
 
-/* In two places of one mapping, of which the second shows the first. */
+/* Reads two rows. The second one is another mapping of h's memory. */
 __attribute__((noinline)) static void reads_rows(long *h, long *const *row) {
     for (int t = 0; t < N; t++) // EXPECT: transformed
         h[k[t]] += row[t & 1][m[t]] & 1023;
 }
 
-/* An iteration makes valid, through one mapping, what the next one reads through the other. */
+/* Each iteration makes valid, through one mapping, a subscript that the next one reads through the other. */
 enum { LINKS = BYTES / (int)sizeof(int), FAR = 1000000000 };
 static int map_of[LINKS];
 __attribute__((noinline)) static void chain(int n, int *count, const int *link) {
@@ -133,7 +133,7 @@ int main(void) {
     chain(LINKS - 1, count, link);
     take(original, H);
 
-    /* Pages of a private mapping that nobody wrote to show what is in the file. */
+    /* Pages of a private mapping that have not been written show the file's content. */
     long *const shared = map(NULL, BYTES, MAP_SHARED, file);
     const long *const private = map(NULL, BYTES, MAP_PRIVATE, file);
     for (int round = 0; round < ROUNDS; round++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 73: a counter that the body of its loop sets where a condition of the iteration holds. Several
-// iterations at once (--lanes) left the loop together when one of them did.
+// A loop's body sets the loop's counter under a condition of the iteration. With --lanes several
+// iterations are executed at once, and none may leave the loop because another one does.
 // OPTIONS: --lanes=4
 // CFLAGS: -O1 -ffp-contract=off
 // METHODS: localwrite localwrite-steal
@@ -10,7 +10,7 @@ enum { N = 9000, K = 300 };
 static int s[N];
 static double x[N], h[K];
 
-/* Newton's method, until it has converged. */
+/* Newton's method until it has converged. */
 static void until_converged(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         double r = x[t], last;
@@ -40,7 +40,7 @@ static void declared_outside(int n) {
     }
 }
 
-/* By a variable that is set in some lanes, two steps away. */
+/* A variable that some lanes set ends the loop two steps later. */
 static void by_another(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         double r = x[t];
@@ -54,7 +54,7 @@ static void by_another(int n) {
     }
 }
 
-/* Two loops of one counter, one of them inside the other, below a condition. */
+/* Two nested loops with one counter, the inner one under a condition. */
 static void inside_itself(int n) {
     int step;
     for (int t = 0; t < n; t++) { // EXPECT: parallel
@@ -69,7 +69,7 @@ static void inside_itself(int n) {
     }
 }
 
-/* By && and by ?:. */
+/* The counter is set by && and by ?:. */
 static void by_operators(int n) {
     int step;
     for (int t = 0; t < n; t++) { // EXPECT: parallel
@@ -144,7 +144,7 @@ static void by_while(int n) {
     }
 }
 
-/* Around the updates, which are made lane by lane. */
+/* The loop contains updates, which are made lane by lane. */
 static void around_updates(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         const double r = x[t] * 0.5;
@@ -156,7 +156,7 @@ static void around_updates(int n) {
     }
 }
 
-/* Neighbours: counters that are set under conditions that are the same for all. */
+/* For comparison: conditions that are the same in all iterations. */
 static void by_all(int n, int few) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         double r = x[t];

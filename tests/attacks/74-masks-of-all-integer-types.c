@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 74: a comparison of doubles that is kept as an integer of another type than int. Where several
-// iterations are executed at once (--lanes) it is a mask, which stood for it as an int: other arithmetic.
+// A comparison of doubles is stored in an integer of another type than int. With --lanes it is a mask,
+// and arithmetic on the mask must give what the integer type gives.
 // OPTIONS: --lanes=4
 // CFLAGS: -O1 -ffp-contract=off
 // METHODS: localwrite localwrite-steal
@@ -65,7 +65,7 @@ static void of_an_enumeration(int n) {
     }
 }
 
-/* Neighbours: an int, and one that is not constant. */
+/* For comparison: an int, and a value that is not constant. */
 static void of_int(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: parallel
         const double r = x[t] * 0.5;

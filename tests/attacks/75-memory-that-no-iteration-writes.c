@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 75: scalars that an iteration accumulates into under a condition that never holds. The program
-// does not write them: they may lie in memory that cannot be written, or that another thread writes
-// under its lock. Sums, products, bits, minima and maxima; variables, members, elements, and what a
-// pointer leads to. Neighbours: the same where the condition holds.
+// Scalars that an iteration updates under a condition that never holds. Since the program does not
+// write them, they may be in read-only memory, or another thread may write them under its lock. Sums,
+// products, bits, minima and maxima; variables, members, elements and targets of pointers. For
+// comparison: conditions that hold.
 #include <pthread.h>
 #include <stdio.h>
 #include <sys/mman.h>
@@ -21,7 +21,7 @@ struct totals {
     _Bool any;
 };
 
-/* Each in a page of its own, which is theirs up to the last one of the section. */
+/* Each object begins a page; together they fill the section to its last page. */
 #define HELD static __attribute__((section("held"), aligned(PAGE)))
 extern char __start_held[], __stop_held[];
 HELD int first_or_last = 1;
@@ -131,7 +131,7 @@ static void print(void) {
            of->list[2], first_or_last, last_or_first);
 }
 
-/* Another thread counts meanwhile, under its lock, of which the loop needs to know nothing. */
+/* Meanwhile another thread counts under its lock, which the loop need not know. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static volatile int is_over;
 

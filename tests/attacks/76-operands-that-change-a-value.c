@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 76: an operand that was to change nothing and does: rounding downwards 0.0 + -0.0 is -0.0, and a
-// signalling NaN becomes a quiet one by any addition. No operand is applied of an iteration that does
-// not come to the statement. Neighbours: sums that each iteration adds to.
+// A neutral operand may change a value: rounding downwards, 0.0 + -0.0 is -0.0, and any addition turns a
+// signalling NaN into a quiet one. So nothing may be applied for an iteration that does not execute the
+// update. For comparison: sums that every iteration adds to.
 // METHODS: localwrite localwrite-steal binning
 #include <fenv.h>
 #include <stdio.h>

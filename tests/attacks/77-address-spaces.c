@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 77: objects in an address space that begins elsewhere for each thread (__seg_gs of x86), read or
-// updated. Neighbours: the same in the usual one.
+// Objects, read or updated, in an address space that has another base in each thread (__seg_gs of x86).
+// For comparison: the same loops in the default address space.
 // COMPILERS: gcc
 #include <stdio.h>
 #ifdef __x86_64__
@@ -45,7 +45,7 @@ static void add_up_there(int n, double OWN *sum) {
     }
 }
 
-/* An address is a number: that alone is the same for all. */
+/* Only the pointer's value is used, which is the same in all threads. */
 static void an_address_alone(int n, const double OWN *v) {
     for (int t = 0; t < n; t++) // EXPECT: refuse text
         h[s[t]] += v ? x[t] : 1;

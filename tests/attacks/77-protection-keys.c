@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Rights by protection keys are a thread's own: pkeys(7). The threads are started while the table must
- * not be read; then it is opened, closed for writing, and closed again. Where the processor or the
- * system has no keys, loops on plain memory are left. */
+/* Access rights by protection keys belong to a thread (pkeys(7)). Threads start while the table must
+ * not be read. Then it is opened, closed for writing, and closed again. Without keys in the processor
+ * or system the loops run on ordinary memory. */
 // THREADS: 2 3 7 33
 #define _GNU_SOURCE
 #include <stdio.h>

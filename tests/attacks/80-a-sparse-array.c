@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* An array of 96 GB, of which some thousand rows are ever touched: Linux. What a method keeps must grow
- * with what is touched, not with what lies between. */
+/* An array of 96 GB, of which a few thousand rows are touched (Linux). A method's memory must depend on
+ * the number of rows touched, not on the distance between them. */
 // METHODS: auto binning localwrite graph-localwrite graph-localwrite-steal wavefront
 // THREADS: 1 2 7
 // SECONDS: 20

@@ -2,8 +2,8 @@
 // CFLAGS: -O2 -fopenmp
 // THREADS: 1 2 7
 // METHODS: auto localwrite binning
-// Other threads than the region's update the same elements, and the directives protect them all:
-// executed without these, updates would be lost.
+// Threads outside the region update the same elements, and the directives protect all of them.
+// Without the directives updates would be lost.
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>

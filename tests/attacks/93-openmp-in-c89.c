@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -O2 -fopenmp -std=gnu89
 // METHODS: auto localwrite binning
-/* What clauses make of variables that are declared before the loop. */
+/* Clauses on variables declared before the loop, as C89 requires. */
 #include <stdio.h>
 
 enum { N = 5000, K = 60 };

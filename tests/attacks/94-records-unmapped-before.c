@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // THREADS: 1 2 7
 // METHODS: auto localwrite
-// The program follows a pointer before the loop, then unmaps its target. No iteration follows it, and so must
-// nothing that is evaluated before the first one.
+// The program dereferences a pointer before the loop, then unmaps its target. No iteration dereferences it,
+// so code that is evaluated before the first iteration must not do so either.
 #define _GNU_SOURCE
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,8 @@
 // THREADS: 2 7
 // METHODS: auto binning localwrite
 // LINK: -lm
-// An update changes a value that a translation reads once, before the loop, or stores after it: the bound, an operand,
-// an own element. It does so late: bins have executed iterations by then, the sequential loop in between some as well.
+// An update changes a value that a translation reads once before the loop, or stores after it: the bound, an operand
+// or an own element. It does so late, after binning and the sequential loop have executed many iterations.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,7 @@ static void bound(int *b, const int *n) {
     }
 }
 
-/* By subscripts that cannot be computed twice, so that the first execution is a trial of bins. */
+/* The subscripts cannot be computed twice, so the first execution is a trial of binning. */
 static void operand(int *b, int n, int w) {
     int *p = &w;
     if (!b)
@@ -39,7 +39,7 @@ static void bound_once(int *b, const int *n) {
     }
 }
 
-/* Iteration i has its own element z[i], which is stored when all are over. */
+/* Iteration i has the own element z[i], which is stored after all iterations. */
 static int own(int *b, int *z, int n) {
     int changed = 0;
     for (int i = 0; i < n; i++) {
@@ -63,7 +63,7 @@ static void print_all(void) {
 static void all(int hit) {
     for (int i = 0; i < N + 8; i++)
         x[i] = 30 + i * 2654435761u % 9000;
-    x[hit] = 0; /* element 3 */
+    x[hit] = 0; /* here the subscript is 3 */
     for (int k = 0; k < M; k++)
         memory[k] = 0;
     memory[3] = N;
@@ -72,7 +72,7 @@ static void all(int hit) {
     memory[3] = N;
     bound_once(memory, memory + 3);
     print_all();
-    x[hit] = 90000; /* the element of an early iteration */
+    x[hit] = 90000; /* the update hits the own element of an early iteration */
     for (int k = 0; k < M + N; k++)
         memory[k] = 0;
     printf("%d\n", own(memory, memory + M, N));

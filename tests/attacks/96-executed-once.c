@@ -2,13 +2,13 @@
 // THREADS: 1 2 3 7 16
 // METHODS: auto
 // LINK: -lm
-// Long loops that are executed once. `auto` executes their first iterations in order, and the others as a loop of their
-// own: what depends on an iteration's number, is left by the last one, or is found to overlap must not notice.
+// Long loops that are executed once. `auto` executes their first iterations in order and the others as a separate loop.
+// This must not affect values that depend on the iteration's number, values after the loop, or detected overlaps.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { N = 3000, M = 2000, ROWS = 500, BEYOND = 100 }; /* no iteration reads what lies beyond */
+enum { N = 3000, M = 2000, ROWS = 500, BEYOND = 100 }; /* no iteration reads the last BEYOND elements */
 static double x[N + BEYOND], all[ROWS + 2 * N + BEYOND];
 static int key[N + BEYOND];
 
@@ -39,7 +39,7 @@ static int pairs(double *restrict h, int first, int n) {
     return last;
 }
 
-/* The bound and the reads may be updated. */
+/* The loop may update its bound and its reads. */
 static void overlapping(double *h, const double *f, const int *k, int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         double s = f[i] * 1e-3;
@@ -50,7 +50,7 @@ static void overlapping(double *h, const double *f, const int *k, int n) {
     }
 }
 
-/* The same, for arrays that overlap in the first execution. */
+/* As above, for arrays that overlap in the first execution. */
 static void reads_what_it_updates(double *h, const double *f, const int *k, int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         double s = f[i] * 1e-3;
@@ -61,7 +61,7 @@ static void reads_what_it_updates(double *h, const double *f, const int *k, int 
     }
 }
 
-/* Soon over. */
+/* Few iterations. */
 static int few(double *restrict h, int n) {
     int last = -1;
     for (int i = 3; i < n; i++) { // EXPECT: transformed
@@ -74,7 +74,7 @@ static int few(double *restrict h, int n) {
     return last;
 }
 
-/* Each iteration's number counts. */
+/* Results depend on each iteration's number. */
 static long numbered(double *restrict h, int n) {
     int at = 5;
     for (int i = 0; i < n; i++, at += 3) { // EXPECT: transformed

@@ -2,8 +2,8 @@
 // CFLAGS: -O2 -fopenmp
 // THREADS: 1 2 7
 // METHODS: auto localwrite binning
-// A team comes to a loop, but other threads update the same elements: a thread of the program's, a team of that
-// thread, the other teams of a region around it, and tasks that are due when the team meets.
+// A team executes a loop while other threads update the same elements: a thread of the program, that thread's
+// team, other teams of an enclosing region, and tasks that run at the team's barrier.
 #include <omp.h>
 #include <pthread.h>
 #include <stdatomic.h>

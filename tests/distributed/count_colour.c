@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* count_colour FILE.png R,G,B...: how many pixels of the picture have each colour exactly, a line
- * each. */
+/* count_colour FILE.png R,G,B...: prints, for each colour on a line, the number of the picture's
+ * pixels with exactly this colour. */
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>

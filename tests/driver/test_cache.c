@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Foundations of the cache of translations: the digest, the headers that a text may name, and what
- * is known of a project's files. */
+/* Parts of the cache of translations: the digest, the names of headers in a text, and the data kept
+ * about a project's files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 #include "driver/include_names.h"
 #include "driver/project_text.h"
 
-/* "aaa...", as b2sum -l 256 has it. */
+/* Digests of strings of `a`, as b2sum -l 256 prints them. */
 static void digests_are_those_of_the_standard(void **state) {
     (void)state;
     static const struct {
@@ -58,7 +58,8 @@ static void texts_do_not_run_into_each_other(void **state) {
     assert_memory_not_equal(&of_none, &of_empty, sizeof of_none);
 }
 
-/* The names found, as they were written; "?" where the text does not say them all. */
+/* Returns the header names found, as they are written, and "?" if the text does not show all
+ * names. */
 static const char *found(arena *a, const char *text) {
     include_names names = {0};
     buffer list = {0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which questions about the compiler make a difference between libclang and the compiler. */
+/** Which tests of compiler properties in a source have different results under libclang and the
+ * compiler. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

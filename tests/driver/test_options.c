@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The wrapper's knowledge of a compiler's command line, without any compiler. */
+/** The wrapper's parsing of a compiler's command line, without any compiler. */
 #include <limits.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -143,7 +143,7 @@ static void response_files_come_back(void **state) {
     assert_int_equal(back.count, words.count);
     for (unsigned i = 0; i < back.count; i++)
         assert_string_equal(back.items[i], words.items[i]);
-    write_text(path, arena_format(a, "@%s", path)); /* a file that names itself is not read
+    write_text(path, arena_format(a, "@%s", path)); /* a file that names itself must not be read
                                                      * endlessly */
     back.count = 0;
     words_expand(a, 1, given, &back);
@@ -208,7 +208,7 @@ static void finds_words_that_stand_alone(void **state) {
         assert_int_equal(dependencies_mention(a, &files, "omp"), cases[i].found);
     }
     temporary_remove(folder);
-    assert_true(dependencies_mention(a, &files, "omp")); /* what cannot be read may hold anything */
+    assert_true(dependencies_mention(a, &files, "omp")); /* an unreadable file may name it */
 }
 
 static void reports_become_one_line(void **state) {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Advice against what comes of it, for scenes with contact and events: the error against a run of
- * another method in many more steps is at most twice what was promised, and no more than was asked
- * for; iterations, which stand for the time without the machine's noise, are those promised.
+ * The advice of `fabric advise` is compared with runs that follow it, for scenes with contact and
+ * events. The reference is a run by another method with many more steps. The error must be at most
+ * twice the predicted one, and no more than requested. Iterations, which represent the time without
+ * the machine's noise, must be as predicted.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -40,8 +41,8 @@ static const trial trials[] = {
     {"curtain", 0.01, {"mesh.boundary=32", "mesh.vertices=120", "time.steps=16"}},
     {"flag", 0.01, {"mesh.boundary=32", "mesh.vertices=120", "time.steps=25"}},
     {"patch", 0.01, {"mesh.boundary=24", "mesh.vertices=80", "time.steps=12"}},
-    /* At the impact the monitor cuts the steps of coarse runs to one length, so that these differ
-     * by less than they are off. */
+    /* At the impact the monitor shortens the steps of coarse runs to one length, so these runs
+     * differ by less than their errors. */
     {"tablecloth",
      0.004,
      {"mesh.boundary=100", "mesh.vertices=650", "time.step=0.02", "time.steps=20"}},
@@ -119,8 +120,8 @@ static void test_scenes(void **state) {
     assert_in_range(advised, 12, sizeof trials / sizeof *trials);
 }
 
-/* A flat sheet that is pulled sideways in its plane: all methods agree that it stays flat, and one
- * that starts a little aside folds. */
+/* A flat sheet is pulled sideways in its plane. By all methods it stays flat, but a sheet that
+ * starts slightly out of its plane folds. */
 static void test_unstable_start(void **state) {
     (void)state;
     const trial flat = {"flap",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Checkpoint files: torn at many lengths, a bit flipped in every byte, and nonsense under a good
- * checksum. All of it is refused, or at least harmless. */
+/* Checkpoint files that are truncated at many lengths, have a bit flipped in each byte, or contain
+ * random values with a correct checksum. They must be refused, or at least do no harm. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +20,7 @@
 
 static const char FILE_NAME[] = "test.checkpoint", WRONG[] = "wrong.checkpoint";
 
-/* A run of a few vertices, two steps in, and its checkpoint. */
+/* A run with a few vertices after two steps, and its checkpoint. */
 static scene wanted;
 static mesh cloth;
 static simulation *sim;
@@ -62,7 +62,8 @@ static int tear_down(void **unused) {
     return 0;
 }
 
-/* Thousands of messages are of no use to the reader. */
+/* Redirects standard error, since thousands of messages would be useless. Returns the descriptor to
+ * restore. */
 static int hush(void) {
     const int kept = dup(STDERR_FILENO), nowhere = open("/dev/null", O_WRONLY);
     assert_true(kept >= 0 && nowhere >= 0);
@@ -83,7 +84,7 @@ static void write_wrong(const unsigned char *from, size_t count) {
     fclose(file);
 }
 
-/* As `fabric run --resume` goes about it. */
+/* Resumes from the file as `fabric run --resume` does. */
 static int resume(const char *path, simulation *into) {
     checkpoint c;
     char said[256];
@@ -116,7 +117,7 @@ static void test_round_trip(void **unused) {
     assert_memory_equal(simulation_positions(other), simulation_positions(sim),
                         sizeof(double[3]) * (size_t)cloth.vertex_count);
     assert_int_equal(simulation_counts(other).taken, simulation_counts(sim).taken);
-    assert_int_equal(other->fallback.costly, 1); /* else it may choose direct solutions again */
+    assert_int_equal(other->fallback.costly, 1); /* else direct solutions might return */
     simulation_free(other);
 }
 
@@ -143,7 +144,7 @@ static void test_flipped_bits(void **unused) {
     assert_non_null(file);
     for (size_t at = 0; at < size; at++)
         for (unsigned bit = 0; bit < 8; bit++) {
-            if (at >= 128 && at % 8 != bit) /* every bit of what is said of the rest */
+            if (at >= 128 && at % 8 != bit) /* all bits of the header */
                 continue;
             const unsigned char wrong = (unsigned char)(bytes[at] ^ 1u << bit);
             assert_int_equal(pwrite(fileno(file), &wrong, 1, (off_t)at), 1);
@@ -156,7 +157,7 @@ static void test_flipped_bits(void **unused) {
     assert_int_equal(resume(WRONG, sim), 0);
 }
 
-/* Gives the bytes the checksum they should have. */
+/* Replaces the checksum by the correct one. */
 static void seal(unsigned char *all, size_t count) {
     sealed_header header;
     memcpy(&header, all, sizeof header);
@@ -167,8 +168,8 @@ static void seal(unsigned char *all, size_t count) {
     memcpy(all, &header, sizeof header);
 }
 
-/* Nonsense that somebody has sealed: refused or taken, but nothing breaks. Steps of what was taken
- * end in some way, too. */
+/* Random values with a correct checksum may be refused or accepted, but must do no harm. Steps from
+ * accepted values must end as well. */
 static void test_sealed_nonsense(void **unused) {
     static unsigned char changed[sizeof bytes];
     unsigned long long random = 1;
@@ -196,7 +197,7 @@ static void test_sealed_nonsense(void **unused) {
     assert_true(refused > 50);
 }
 
-/* Another cloth than the scene's: the same counts, another seed. */
+/* The mesh differs from the scene's: the same counts, another seed. */
 static void test_other_mesh(void **unused) {
     mesh other = cloth;
     checkpoint c;

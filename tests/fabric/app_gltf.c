@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Animated glTF files: every number read back from the JSON and base64 by means of this file's own,
- * the binary form against it, and what another program's reader makes of it. */
+/* Animated glTF files: this file reads every number back from the JSON and base64 text, compares
+ * the binary form with it, and checks what another program's reader finds. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -62,11 +62,11 @@ static cloth_frames run = {.count = FRAMES,
                            .read = read_frame,
                            .context = &failing};
 
-/** A file read back. */
+/** A file that was read back. */
 typedef struct document {
     json_t *root;
     size_t size;
-    unsigned char *bytes; /* of its buffer */
+    unsigned char *bytes; /* contents of the glTF buffer */
 } document;
 
 static unsigned char file_bytes[MOST];
@@ -141,7 +141,8 @@ static void forget(document *d) {
     free(d->bytes);
 }
 
-/** Where an accessor's element is: within its view, which is within the buffer, and aligned. */
+/** Returns the address of an accessor's element. Checks that the element lies within its view, that
+ * the view lies within the buffer, and that the element is aligned. */
 static const unsigned char *element(const document *d, long accessor, long number) {
     json_t *a = item(d->root, "accessors", accessor);
     json_t *view = item(d->root, "bufferViews", whole(a, "bufferView"));
@@ -242,7 +243,8 @@ static void check_animation(const document *d) {
     }
 }
 
-/** Volume enclosed, positive if seen from outside triangles are counter-clockwise. */
+/** Returns the enclosed volume, which is positive if triangles are counter-clockwise as seen from
+ * outside. */
 static double volume_of(const document *d, long mesh_number) {
     const long positions = positions_of(d, mesh_number);
     const long indices = whole(primitive_of(d, mesh_number), "indices");
@@ -269,11 +271,11 @@ static void check_colliders(const document *d) {
         check_bounds(d, positions_of(d, k + 1));
         for (int a = 0; a < 3; a++)
             assert_true(json_number_value(item(node, "translation", a)) == turned[a]);
-        if (colliders[k].kind != COLLIDER_PLANE) /* polyhedra within them: somewhat less */
+        if (colliders[k].kind != COLLIDER_PLANE) /* inscribed polyhedra are slightly smaller */
             assert_true(volume_of(d, k + 1) <= volume[k] * 1.000001 &&
                         volume_of(d, k + 1) > 0.98 * volume[k]);
     }
-    for (int v = 0; v < 4; v++) /* the plane is level, and reaches beyond the cloth */
+    for (int v = 0; v < 4; v++) /* the plane is level and larger than the cloth */
         assert_true(number_at(d, positions_of(d, COLLIDERS), v, 1) == 0 &&
                     fabs(number_at(d, positions_of(d, COLLIDERS), v, 0)) > 2);
 }
@@ -296,7 +298,7 @@ static uint32_t word_at(size_t offset) {
     return word;
 }
 
-/* Its parts are those of the text. */
+/* The parts of the binary form equal those of the text form. */
 static void test_binary(void **unused) {
     (void)unused;
     assert_int_equal(gltf_write(&run, &of, 0, "run.gltf"), 0);
@@ -320,7 +322,7 @@ static void test_binary(void **unused) {
     forget(&d);
 }
 
-/* One frame: nothing moves, and nothing says so. */
+/* With one frame nothing moves, so the file must have no animation. */
 static void test_one_frame(void **unused) {
     (void)unused;
     cloth_frames one = run;
@@ -354,13 +356,13 @@ static void test_limits(void **unused) {
     check_refused(&large,
                   "refused.glb: 1204 MB, expected up to 1000 in a glTF file: run with fewer "
                   "--frames, or use 'fabric export' (VTK files)\n");
-    failing = 2; /* a frame that cannot be read, which says so itself */
+    failing = 2; /* reading this frame fails; the reader, not gltf_write, would print a message */
     check_refused(&run, "");
     failing = -1;
 }
 
 #ifdef FABRIC_WITH_ASSIMP
-/* Another program's reader sees the cloth, its targets, and how long it takes. */
+/* Another program's reader finds the cloth, its morph targets, and the duration. */
 static void test_assimp(void **unused) {
     (void)unused;
     for (int binary = 0; binary < 2; binary++) {

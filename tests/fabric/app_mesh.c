@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Generated meshes, their edges and hinges, and orders. */
+/* Generated meshes, their edges and hinges, and orders of their vertices. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,7 +26,7 @@ static mesh generate(int vertices, int boundary, unsigned seed) {
     return m;
 }
 
-/* Euler and the two ways to count the sides of triangles. */
+/* Checks Euler's formula, and that two ways to count the sides of triangles agree. */
 static void check_counts(const mesh *m, int vertices, int boundary) {
     assert_int_equal(m->vertex_count, vertices);
     assert_int_equal(m->triangle_count, 2 * vertices - 2 - boundary);
@@ -45,7 +45,7 @@ static void test_counts(void **unused) {
         }
 }
 
-/* The numbers that the paper gives for its two meshes. */
+/* The counts that the paper gives for its two meshes. */
 static void test_counts_of_the_paper(void **unused) {
     (void)unused;
     mesh small = generate(2602, 220, 1), large = generate(218272, 1713, 1);
@@ -73,7 +73,8 @@ static double cross_of(const mesh *m, int a, int b, int c) {
     return (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
 }
 
-/* Counter-clockwise, no slivers, on the border exactly the points asked for. */
+/* Triangles are counter-clockwise and no slivers, and the boundary has exactly the points
+ * requested. */
 static void test_shape(void **unused) {
     (void)unused;
     mesh m = generate(2602, 220, 14);
@@ -96,7 +97,8 @@ static void test_shape(void **unused) {
     mesh_free(&m);
 }
 
-/* No vertex lies inside the circle around a triangle: every one asked. */
+/* Delaunay's condition: no vertex lies inside the circumcircle of a triangle, by comparing all with
+ * all. */
 static void test_delaunay(void **unused) {
     (void)unused;
     mesh m = generate(200, 48, 3);
@@ -117,7 +119,7 @@ static void test_delaunay(void **unused) {
     mesh_free(&m);
 }
 
-/* FNV-1a over values, not bytes in memory: the same on machines of either byte order. */
+/* FNV-1a over values, not over bytes in memory, so the result is the same in either byte order. */
 static uint64_t mix(uint64_t hash, uint64_t value) {
     for (int k = 0; k < 64; k += 8)
         hash = (hash ^ (value >> k & 0xff)) * 0x100000001b3u;
@@ -144,7 +146,7 @@ static uint64_t hash_generated(unsigned seed, int vertices, int boundary) {
     return hash;
 }
 
-/* The meshes of the scenes, to the bit, at every level of optimisation. */
+/* The meshes of the scenes have the same bits at every optimisation level. */
 static void test_reproducible(void **unused) {
     (void)unused;
     assert_int_equal(hash_generated(14, 2602, 220), TABLECLOTH_HASH);
@@ -165,7 +167,8 @@ static int triangles_with(const mesh *m, int a, int b, int third[2]) {
     return count;
 }
 
-/* Each edge asked of all triangles; wing 2 left of the edge, wing 3 right. */
+/* Compares each edge with all triangles. Wing 2 of a hinge is left of the edge, and wing 3
+ * right. */
 static void check_connections(const mesh *m) {
     int inner = 0;
     for (int e = 0; e < m->edge_count; e++) {
@@ -194,7 +197,8 @@ static void test_connect(void **unused) {
     mesh_free(&m);
 }
 
-/* Three triangles at one edge: the first two make the hinge, and it is counted. */
+/* Three triangles share an edge: the first two form the hinge, and the edge is counted as
+ * non-manifold. */
 static void test_non_manifold(void **unused) {
     (void)unused;
     double position[5][3] = {{0}}, material[5][2] = {{0, 0}, {1, 0}, {0, 1}, {0, -1}, {1, 1}};
@@ -228,7 +232,7 @@ static int compare_ints(const void *a, const void *b) {
     return (first > second) - (first < second);
 }
 
-/* Three vertices in one number, whatever their order. */
+/* Returns a number that identifies three vertices in any order. */
 static int64_t key_of(const int *triangle, const int *renamed) {
     int v[3];
     for (int k = 0; k < 3; k++)
@@ -251,7 +255,7 @@ static int64_t *sorted_keys(const mesh *m, const int *renamed) {
     return keys;
 }
 
-/* The new mesh is the old one under new names. */
+/* Checks that the new mesh is the old one with renamed vertices. */
 static void check_same_mesh(const mesh *old, const mesh *new, const int *new_of_old) {
     int64_t *expected = sorted_keys(old, new_of_old), *found = sorted_keys(new, NULL);
     assert_memory_equal(expected, found, (size_t)old->triangle_count * sizeof *found);
@@ -292,8 +296,8 @@ static void test_orders_keep_the_mesh(void **unused) {
 #endif
 }
 
-/* Whatever the order, its numbers lead back; what is no permutation is refused, and nothing moves.
- */
+/* The numbers of any order lead back to the original. An array that is no permutation is refused,
+ * and nothing changes. */
 static void test_orders_are_undone(void **unused) {
     (void)unused;
     char error[256];
@@ -324,7 +328,8 @@ static void test_orders_are_undone(void **unused) {
     }
 }
 
-/* The points of a grid of 2^n * 2^n: each is a neighbour of the one before. */
+/* The points of a grid of 2^n * 2^n points: each must be a neighbour of its predecessor in the
+ * order. */
 static void test_curve_goes_from_neighbour_to_neighbour(void **unused) {
     (void)unused;
     enum { SIDE = 32, COUNT = SIDE * SIDE };
@@ -344,7 +349,7 @@ static void test_curve_goes_from_neighbour_to_neighbour(void **unused) {
     }
 }
 
-/* Nobody has written where a vertex lies: some order all the same. */
+/* Coordinates that are no finite numbers must still give some order. */
 static void test_curve_of_what_is_no_number(void **unused) {
     (void)unused;
     double material[3][2] = {{NAN, 1.0}, {INFINITY, 0.0}, {0.0, -INFINITY}};
@@ -363,7 +368,7 @@ static void test_dissection_is_there_or_says_why_not(void **unused) {
     const int status = mesh_reorder(&m, MESH_ORDER_DISSECTED, 1, NULL, error);
 #ifdef FABRIC_WITH_METIS
     assert_int_equal(status, 0);
-    int crossing = 0; /* halves, then what separates them: few edges lead from half to half */
+    int crossing = 0; /* vertices are in two halves and a separator: few edges connect the halves */
     for (int e = 0; e < m.edge_count; e++)
         crossing += m.edge[e][0] < 1100 && m.edge[e][1] >= 1500;
     assert_true(crossing < m.edge_count / 8);
@@ -391,7 +396,7 @@ static void test_orders_move_neighbours(void **unused) {
     mesh_free(&m);
 }
 
-/* A mesh in two parts, and a vertex of no triangle. */
+/* A mesh in two parts, and a vertex without triangles. */
 static void test_sort_of_parts(void **unused) {
     (void)unused;
     mesh m = {.vertex_count = 7, .triangle_count = 2};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Meshes from OBJ files: polygons, clear refusals, seams that are not joined, and damage of all
- * kinds. */
+/* Meshes from OBJ files: polygons, refusals with clear messages, seams that are not joined, and
+ * damaged files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +17,7 @@
 
 enum { MOST = 1 << 12 };
 
-/** A file in memory. */
+/** A file's contents in memory. */
 typedef struct bytes {
     size_t count;
     unsigned char at[MOST];
@@ -48,7 +48,7 @@ static void check_refused(const char *path, const char *text, const char *expect
     assert_null(m.position);
 }
 
-/* Quads and pentagons are fans around their first corner. */
+/* Quadrilaterals and pentagons become fans around their first corner. */
 static void test_polygons(void **unused) {
     (void)unused;
     static const char text[] =
@@ -72,8 +72,8 @@ static void test_names(void **unused) {
     check_refused("nowhere.obj", NULL, ": cannot be read: No such file or directory");
 }
 
-/* Two triangles side by side whose common vertices are written twice, and the same joined. 0 and -0
- * are one place. */
+/* Two adjacent triangles whose common vertices occur twice, and the same triangles with joined
+ * vertices. 0 and -0 are one position. */
 static void test_seams(void **unused) {
     (void)unused;
     static const struct {
@@ -102,7 +102,7 @@ static void test_seams(void **unused) {
     }
 }
 
-/* Read, or refused by name; never anything else. */
+/* Each damaged file must be read, or refused with a message that names it. */
 static void abuse(const char *path, const bytes *whole, int tries) {
     mesh intact;
     unsigned seed = 7;

@@ -38,7 +38,7 @@ static int dark_pixels(const picture *p) {
     return count;
 }
 
-/* Also partly and wholly outside. */
+/* Also partly and entirely outside the picture. */
 static void test_paste_and_text(void **unused) {
     picture p, small;
     (void)unused;
@@ -54,14 +54,14 @@ static void test_paste_and_text(void **unused) {
     picture_free(&p);
     assert_int_equal(picture_new(&p, 10, 10), 0);
     picture_text(&p, 1, 1, 1, "1");
-    assert_int_equal(dark_pixels(&p), 10); /* the dots of its glyph */
+    assert_int_equal(dark_pixels(&p), 10); /* the dots of the glyph `1` */
     picture_text(&p, -3, 95, 2, "t = 0.5 s?");
     assert_int_equal(dark_pixels(&p), 10);
     picture_free(&p);
     picture_free(&small);
 }
 
-/* All points are in the picture, and some are near its edge. */
+/* All points are inside the picture, and some are near its edge. */
 static void test_camera(void **unused) {
     double points[8][3];
     const double back[3] = {0.5, -1.0, 0.4};
@@ -90,7 +90,8 @@ static void test_camera(void **unused) {
     assert_true(widest > 0.85);
 }
 
-/* A cap of a ball of 1 m in n by n squares of two triangles, or flat (height 0). */
+/* Makes a cap of a ball with a radius of 1 m from n by n squares of two triangles, or a flat sheet
+ * (height 0). */
 static void cap(int n, double height, double *position, float *material, int *triangle) {
     int t = 0;
     for (int r = 0; r <= n; r++)
@@ -111,8 +112,8 @@ static void cap(int n, double height, double *position, float *material, int *tr
         }
 }
 
-/* Patches lie on the ball where triangles cut it, neighbours meet in the same points, the pattern
- * is where it was, and what is flat stays so. */
+/* Patches lie close to the ball that the triangles approximate, neighbours have common points, and
+ * the pattern keeps its place. A flat sheet stays flat. */
 static void test_patches(void **unused) {
     enum { n = 8, parts = 4 };
     double position[3 * (n + 1) * (n + 1)];
@@ -135,8 +136,8 @@ static void test_patches(void **unused) {
             inner += is_inner;
             assert_true(fabs((double)p.material[2 * (size_t)i] - x[0]) < 2e-3);
         }
-        assert_true(worst < (round == 0 ? 3e-4 : 1e-15)); /* a triangle: 2.6e-3 */
-        for (int a = 0; a < p.vertex_count; a++)          /* no two points all but the same */
+        assert_true(worst < (round == 0 ? 3e-4 : 1e-15)); /* the triangles are 2.6e-3 away */
+        for (int a = 0; a < p.vertex_count; a++)          /* points coincide or are well apart */
             for (int b = 0; b < a; b++) {
                 double square = 0.0;
                 for (int k = 0; k < 3; k++)
@@ -150,7 +151,7 @@ static void test_patches(void **unused) {
     assert_true(inner > 1000);
 }
 
-/* How bright the pixel is that shows x. */
+/* Returns the brightness of the pixel that shows x. */
 static double brightness(const picture *p, const camera *from, const double x[3]) {
     double seen[3] = {0.0};
     for (int k = 0; k < 3; k++) {
@@ -164,8 +165,8 @@ static double brightness(const picture *p, const camera *from, const double x[3]
     return rgb[0] + rgb[1] + rgb[2];
 }
 
-/* A small sheet over a large one, both of one cloth and of one colour: the large one is darker in
- * the small one's shadow, and nowhere else. */
+/* A small sheet above a large one, both of one cloth and one colour: the large one is darker in the
+ * small one's shadow and nowhere else. */
 static void test_shadow_on_itself(void **unused) {
     static const double position[24] = {-1, -1, 0, 1,   -1, 0, 1,   1,   0, -1, 1,   0,
                                         0,  0,  1, 0.3, 0,  1, 0.3, 0.3, 1, 0,  0.3, 1};
@@ -173,8 +174,8 @@ static void test_shadow_on_itself(void **unused) {
                                        0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f};
     static const int triangle[12] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     const stage_cloth cloth = {8, 4, position, triangle, material};
-    /* From above: the light comes from (-0.45, -0.8, 1.1), so that the shadow is at + 0.41, 0.73.
-     */
+    /* The camera looks down. Light comes from (-0.45, -0.8, 1.1), so the shadow is moved by (0.41,
+     * 0.73). */
     const camera from = {.eye = {0, 0, 6},
                          .right = {1, 0, 0},
                          .up = {0, 1, 0},
@@ -206,7 +207,7 @@ static void test_shadow_on_itself(void **unused) {
     stage_free(st);
 }
 
-/* Mesa keeps memory of its own until the end; what this program keeps is still told. */
+/* Mesa keeps memory until the end; leaks of this program are still reported. */
 const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void) {
     return "leak:libOSMesa";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Progress: how long the rest takes, and signs of life in steps that take long. */
+/* Progress messages: the estimated time left, and messages during long steps. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 static int kept;
 static FILE *said;
 
-/* Standard error goes to a file, as what is no terminal does. */
+/* Redirects standard error to a file, so it is not a terminal. */
 static int set_up(void **unused) {
     (void)unused;
     kept = dup(STDERR_FILENO);
@@ -32,7 +32,7 @@ static int tear_down(void **unused) {
     return 0;
 }
 
-/* What was said since the last time. */
+/* Returns the text printed since the last call. */
 static const char *heard(void) {
     static char text[4096];
     fflush(stderr);
@@ -50,7 +50,7 @@ static void test_lines(void **unused) {
     (void)unused;
     progress_begin(&p, PROGRESS_LINES, 0, 40);
     progress_report(&p, 1, 0.1, 7, 2);
-    assert_string_equal(heard(), ""); /* a line for each tenth part */
+    assert_string_equal(heard(), ""); /* only one line per tenth of the run */
     progress_report(&p, 2, 0.2, 14, 4);
     progress_report(&p, 3, 0.3, 21, 6);
     progress_report(&p, 4, 0.4, 28, 8);
@@ -58,7 +58,7 @@ static void test_lines(void **unused) {
     progress_end(&p);
 }
 
-/* The latest steps count most: here they are faster than those before. */
+/* The latest steps count most: here they are faster than earlier ones. */
 static void test_time_left(void **unused) {
     progress p;
     double seconds = 0;
@@ -83,7 +83,7 @@ static void test_signs_of_life(void **unused) {
     assert_string_equal(heard(), "step 4 of 40 under way for 60 s\n");
     raise(SIGALRM);
     assert_string_equal(heard(), "step 4 of 40 under way for 120 s\n");
-    progress_report(&p, 5, 0, 0, 130); /* said, though not a tenth part: it has taken long */
+    progress_report(&p, 5, 0, 0, 130); /* no tenth part, but the step took long */
     assert_non_null(strstr(heard(), "step 5 of 40"));
     raise(SIGALRM);
     assert_string_equal(heard(), "step 6 of 40 under way for 60 s\n");

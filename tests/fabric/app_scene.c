@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Scene files: what is read, and what is said about what is wrong. */
+/* Scene files: the values that are read, and the messages about errors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@
 
 static const char FILE_NAME[] = "scene-test.yaml";
 
-/* A whole scene, line by line, so that tests can name lines. */
+/* A complete scene, line by line, so that tests can name lines. */
 static const char *const lines[] = {
     "name: test",                             /* 1 */
     "mesh:",                                  /* 2 */
@@ -43,7 +43,8 @@ static const char *const lines[] = {
 };
 enum { LINE_COUNT = sizeof lines / sizeof *lines };
 
-/* Reads the scene above with one line (from 1) exchanged, NULL: left out. */
+/* Reads the scene above with line `line` (from 1) replaced by `text`, or removed if `text` is
+ * NULL. */
 static int read_with(int line, const char *text, scene *s) {
     FILE *file = fopen(FILE_NAME, "w");
     assert_non_null(file);
@@ -79,7 +80,7 @@ static void test_read(void **unused) {
     assert_int_equal(s.mesh.vertices, 30);
     assert_true(s.mesh.side == 0.5 && s.material.density == 0.25 &&
                 s.surroundings.gravity[2] == -9.81 && s.time.step == 0.01);
-    assert_int_equal(s.mesh.order, MESH_ORDER_SORTED); /* and other defaults */
+    assert_int_equal(s.mesh.order, MESH_ORDER_SORTED); /* values not in the file: defaults */
     assert_true(s.mesh.normal[2] == 1.0 && s.solution.tolerance == 1e-3 &&
                 s.surroundings.drag == 0.0);
     assert_int_equal(s.mesh.seed, 1);
@@ -219,7 +220,8 @@ static void test_set_wrong(void **unused) {
     scene_free(&s);
 }
 
-/* A collider from a file: found from the scene's folder, written with its whole path. */
+/* A collider from a mesh file is found relative to the scene's folder, and written with its whole
+ * path. */
 static void test_mesh_collider(void **unused) {
     scene s, again;
     (void)unused;
@@ -241,9 +243,9 @@ static void test_mesh_collider(void **unused) {
                 ":17: 'colliders.0.file' is 'none.obj': no such file");
 }
 
-/* Writes bad.obj: a tetrahedron's vertices after a comment, then these faces, from line 6 on. The
- * scene that has it for a collider must be refused at the file's line with `expected`; NULL: taken.
- */
+/* Writes bad.obj: the vertices of a tetrahedron after a comment, then these faces from line 6 on. A
+ * scene with this collider must be refused with `expected` and the file's line, or accepted if
+ * `expected` is NULL. */
 static void check_solid(const char *faces, const char *expected) {
     static const char text[] = "  - kind: mesh\n    file: bad.obj\n  - kind: sphere";
     char path[4096], message[8192];
@@ -262,7 +264,8 @@ static void check_solid(const char *faces, const char *expected) {
     check_wrong(16, text, message);
 }
 
-/* What is no surface of a solid would push the cloth the wrong way. */
+/* A mesh that is no surface of a solid is refused, since it would push the cloth in the wrong
+ * direction. */
 static void test_bad_solids(void **unused) {
     (void)unused;
     check_solid("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", NULL);
@@ -281,7 +284,7 @@ static void test_bad_solids(void **unused) {
     check_solid("v 2 0 0\nv 3 0 0\nf 1 2 5\n", "no triangle has an area");
 }
 
-/* Every scene that is shipped can be read, written and read again as the same. */
+/* Every scene of the distribution can be read and written, and is equal when read again. */
 static void test_shipped_scenes(void **unused) {
     static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch", "flag",
                                         "ball",       "curtain", "ring",      "scarf"};
@@ -298,7 +301,7 @@ static void test_shipped_scenes(void **unused) {
         for (int c = 0; c < first.collider_count; c++) {
             collider copy = second.colliders[c];
             assert_int_equal(copy.surface != NULL, first.colliders[c].surface != NULL);
-            copy.surface = first.colliders[c].surface; /* each has one of its own */
+            copy.surface = first.colliders[c].surface; /* each scene has its own surface */
             assert_memory_equal(&first.colliders[c], &copy, sizeof copy);
         }
         assert_int_equal(first.pin_count, second.pin_count);
@@ -320,7 +323,7 @@ static void test_shipped_scenes(void **unused) {
     }
 }
 
-/* The paper's scenes are what the paper says. */
+/* The paper's scenes have the values that the paper gives. */
 static void test_scenes_of_the_paper(void **unused) {
     static const char *const names[] = {"tablecloth", "hanging"};
     (void)unused;
@@ -340,7 +343,8 @@ static void test_scenes_of_the_paper(void **unused) {
     }
 }
 
-/* An upright sheet has its material y upwards and faces where its normal points. */
+/* In an upright sheet the material's y axis points upwards, and the sheet faces in the direction of
+ * its normal. */
 static void test_placement(void **unused) {
     scene s;
     mesh m;
@@ -359,7 +363,7 @@ static void test_placement(void **unused) {
 static void test_nearest_word(void **unused) {
     static const char *const words[] = {"bend", "stretch", "gravity"};
     (void)unused;
-    assert_string_equal(words_nearest("bned", words, 3), "bend"); /* two letters swapped: one */
+    assert_string_equal(words_nearest("bned", words, 3), "bend"); /* an exchange is one change */
     assert_string_equal(words_nearest("strech", words, 3), "stretch");
     assert_string_equal(words_nearest("gravitty", words, 3), "gravity");
     assert_null(words_nearest("colour", words, 3));
@@ -367,11 +371,11 @@ static void test_nearest_word(void **unused) {
     assert_null(words_nearest("bend", words, 0));
 }
 
-/* A scene and what is read from its text are the same; one key changed is named, with both values.
- */
+/* A scene equals the scene read from its text. If one key differs, the message names it with both
+ * values. */
 static void test_scenes_compared(void **unused) {
     static const struct {
-        const char *setting, *said; /* "": no difference that counts */
+        const char *setting, *said; /* "" if there is no difference that matters */
     } cases[] = {
         {"time.steps=7", ""},
         {"material.bend=0.25", "'material.bend' is 0.25, there 0.0002"},

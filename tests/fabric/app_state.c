@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* State files: what is written comes back; what is torn or foreign is refused. Meshes as OBJ. */
+/* State files: the values written are read back, and truncated or other files are refused. Also
+ * meshes as OBJ files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -63,7 +64,7 @@ static void test_frame(void **unused) {
     state_free(&read);
 }
 
-/* The example's bytes, changed, read again: must be refused. */
+/* Checks that these bytes, written to a file, are refused. */
 static void check_refused(const char *bytes, size_t size) {
     state read;
     FILE *file = fopen("wrong.state", "wb");
@@ -88,14 +89,14 @@ static void test_wrong_files(void **unused) {
         check_refused(bytes, torn);
     check_refused(bytes, size + 1);
     for (size_t damaged = 0; damaged < size;
-         damaged++) { /* any byte: the checksum, at the latest */
+         damaged++) { /* any byte: at least the checksum detects it */
         bytes[damaged] = (char)(bytes[damaged] ^ 0x10);
         check_refused(bytes, size);
         bytes[damaged] = (char)(bytes[damaged] ^ 0x10);
     }
 }
 
-/* A triangle of a vertex that does not exist, under a good checksum. */
+/* A triangle with a vertex that does not exist, with a correct checksum. */
 static void test_wrong_numbers(void **unused) {
     state written = example(STATE_TRIANGLES), read;
     const int beyond[3] = {0, 1, 3};

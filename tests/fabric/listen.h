@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a function says on standard error, for tests of what it says. After cmocka.h. */
+/** Records what a function prints on standard error, for tests of messages. Include after
+ * cmocka.h. */
 #ifndef FABRIC_TEST_LISTEN_H
 #define FABRIC_TEST_LISTEN_H
 
 #include <stdio.h>
 #include <unistd.h>
 
-static char said[4096]; /* between the last start and stop */
+static char said[4096]; /* text printed between the last start and stop */
 static int kept_error = -1;
 
-/** Standard error goes to a file from here on; each test program has a name of its own for it. */
+/** Redirects standard error to a file, whose name is different in each test program. */
 static void start_listening(const char *file_name) {
     fflush(stderr);
     kept_error = dup(STDERR_FILENO);

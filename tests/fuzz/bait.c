@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Statements that look like those of a loop that may be translated, and mostly forbid it. */
+/* Statements that resemble those of accepted loops and mostly prevent the transformation. */
 #include <string.h>
 
 #include "fuzz/kernel.h"
@@ -14,7 +14,7 @@ static bool is_integer(const array *a) {
     return !elements[a->type].is_floating;
 }
 
-/* Declares a variable from what an expression of the array's type yields. */
+/* Declares a variable with the value of an expression of the array's type. */
 static void take(kernel *k, const array *a, const char *e) {
     if (is_integer(a)) {
         const char *name = new_name(k, "k");
@@ -50,7 +50,7 @@ static void read_by_callee(kernel *k) {
     const char *first = place(k, a, "0");
     const char *member = "";
     const char *type = spelling(a);
-    if (a->shape == SHAPE_RECORDS) { /* beyond the member there is another, of another type */
+    if (a->shape == SHAPE_RECORDS) { /* the next member has another type */
         member = first[strlen(first) - 1] == 'x' ? ".x" : ".y";
         first = text(k, "%s[0]", a->base);
         type = a->record;
@@ -88,7 +88,7 @@ static void other_operator(kernel *k) {
     if (is_integer(a)) {
         static const char *const operations[] = {"|=", "&=", "^=", "-=", "/=", "%="};
         put(k, &k->body, "%s %s %d;\n", where, operations[below(k, 6)], 1 + below(k, 30));
-    } else { /* halved often enough its sums are rounded */
+    } else { /* after enough halvings its sums are rounded */
         a->is_no_integer = true;
         put(k, &k->body, below(k, 2) ? "%s *= 0.5;\n" : "%s /= 2;\n", where);
     }
@@ -389,7 +389,7 @@ static void thread_local_value(kernel *k) {
     add_name(&k->scope.values, name);
 }
 
-/* Negated by its bytes: what is exact on integers stays so. */
+/* The value is negated in its representation, so small integers stay exact. */
 static void punned_value(kernel *k) {
     const char *name = new_name(k, "u");
     put(k, &k->body,

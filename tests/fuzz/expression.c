@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Expressions over what is in scope: positions, subscripts, values, conditions; and updates. */
+/* Expressions of variables in scope: positions, subscripts, values and conditions. Also updates. */
 #include "fuzz/kernel.h"
 
 #include <string.h>
@@ -101,7 +101,7 @@ static const char *leaf_value(kernel *k) {
     return text(k, "(%s & 15)", integer(k, 0));
 }
 
-/* Sums and products of at most three loads: of small integers they are exact. */
+/* Returns sums and products of at most three loads, which are exact for small integers. */
 const char *value(kernel *k, int depth) {
     static const char *const sums[] = {"+", "-"};
     const char *left = leaf_value(k);
@@ -124,7 +124,7 @@ const char *value(kernel *k, int depth) {
     }
 }
 
-/* At most 127 in size, whatever memory holds. */
+/* Returns an integer expression of at most 127 in magnitude, whatever memory holds. */
 const char *integer(kernel *k, int depth) {
     const char *at = position(k);
     switch (below(k, depth ? 8 : 5)) {
@@ -206,7 +206,7 @@ const char *contribution(kernel *k, const array *a) {
     return of->is_floating ? value(k, 2) : integer(k, 1);
 }
 
-/* if (h < e) h = e, and its other spellings. */
+/* Returns if (h < e) h = e, in one of its spellings. */
 static const char *extremum(kernel *k, const char *where, const char *e, const char *op) {
     switch (below(k, 4)) {
     case 0:

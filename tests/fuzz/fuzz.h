@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What generated programs share. With FUZZ_INTEGERS in the environment all values are small
- * integers, so that sums do not depend on the order in which they are made. No system header, so
- * that translating takes little time.
+ * Functions that generated programs share. With FUZZ_INTEGERS in the environment all values are
+ * small integers, so sums do not depend on the order of additions. No system header is included, to
+ * shorten the translation.
  */
 #ifndef FUZZ_H
 #define FUZZ_H
@@ -11,7 +11,7 @@ typedef __SIZE_TYPE__ size_t;
 void *memset(void *to, int byte, size_t bytes);
 void *memcpy(void *to, const void *from, size_t bytes);
 
-/** An object that the program does not write while fuzz_hold(1) holds: it ends the program. */
+/** For an object that the program must not write after fuzz_hold(1): a write ends the program. */
 #define FUZZ_HELD static __attribute__((section("fuzz_held"), aligned(4096)))
 void fuzz_hold(int is_held);
 void __assert_fail(const char *text, const char *file, unsigned line, const char *function)
@@ -20,7 +20,7 @@ void __assert_fail(const char *text, const char *file, unsigned line, const char
     ((condition) ? (void)0 : __assert_fail(#condition, __FILE__, __LINE__, __func__))
 /** In another file: ends the program. */
 void fuzz_fail(void) __attribute__((noreturn));
-/** In another file: what each thread has for itself. */
+/** In another file: their results depend on variables of the calling thread. */
 double fuzz_level(int i) __attribute__((pure));
 double fuzz_scaled(double v) __attribute__((const));
 
@@ -47,23 +47,25 @@ enum fuzz_type {
     FUZZ_INT64
 };
 
-/** Does the program take part? Not if FUZZ_LEFT_OUT has its seed: seeds with commas between them.
- */
+/** Returns false if the environment variable FUZZ_LEFT_OUT contains the program's seed (seeds with
+ * commas between them). */
 int fuzz_runs(unsigned long long seed);
-/** Begins the values of one program. */
+/** Starts the random values of one program. */
 void fuzz_seed(unsigned long long seed);
 int fuzz_below(int n);
-/** `count` elements, `step` bytes apart: floating values, or integers in 0 ... below - 1. */
+/** Fills `count` elements, `step` bytes apart, with floating-point values or with integers in 0 ...
+ * below - 1. */
 void fuzz_fill(void *to, int count, size_t step, enum fuzz_type type, int below);
-/** to[k] < k, or 0, for k < below; 0 above. */
+/** For k < below, sets to[k] to less than k, or to 0; for k >= below, sets it to 0. */
 void fuzz_fill_chain(int *to, int count, int below);
-/** Not decreasing, by steps of 0, 1 and 2; the fewer the smaller the mask. */
+/** Fills in numbers that never decrease, in steps of 0, 1 and 2. A smaller mask makes fewer
+ * steps. */
 void fuzz_fill_first(int *to, int count, int mask);
-/** In 0 ... below - 1, and some far out of range. */
+/** Fills in numbers in 0 ... below - 1, and some far out of range. */
 void fuzz_fill_far(int *to, int count, int below);
 /** Prints a hash of the bytes. */
 void fuzz_print(const char *name, const void *bytes, size_t size);
-/** As fuzz_print, of what depends on the order of updates, be they of integers or not. */
+/** Like fuzz_print, for values that depend on the order of updates even if they are integers. */
 void fuzz_print_ordered(const char *name, const void *bytes, size_t size);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * libFuzzer on the reader of IR text: tests/fuzz/check-ir builds and runs it. What is read and
- * found right by ir_check is printed the same twice, and can be analysed.
+/* A libFuzzer test of the reader of IR text; tests/fuzz/check-ir builds and runs it. Text that is
+ * read, and that ir_check accepts, must be printed equally twice, and its analysis must not fail.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -18,7 +17,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *message = NULL;
     ir_unit *unit = ir_read(a, (const char *)data, size, &message);
     if (!unit && !message)
-        abort(); /* refused without a word */
+        abort(); /* refused without a message */
     if (unit && !ir_check(a, unit)) {
         buffer first = {0};
         buffer second = {0};

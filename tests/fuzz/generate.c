@@ -2,10 +2,10 @@
 /*
  * generate FIRST COUNT [--only=S,S...] [--without=N,N...] [--crlf]
  *
- * Prints a C program of COUNT random programs, of the seeds FIRST ... FIRST + COUNT - 1, each a
- * kernel with memory of its own: program S of one text is program S of any other. --only takes of
- * these seeds the ones named; --without leaves statements of these numbers out; --statements prints
- * how many there are.
+ * Prints a C program that consists of COUNT random programs, with the seeds FIRST ... FIRST + COUNT
+ * - 1. Each is a kernel with separate memory, and depends only on its seed. --only selects the
+ * seeds named, --without leaves out the statements with these numbers, and --statements prints the
+ * number of statements.
  */
 #include <stdio.h>
 
@@ -20,7 +20,7 @@ static void print(const buffer *b, bool with_crlf) {
     }
 }
 
-/* The file; returns the number of statements of its last program. */
+/* Writes the file. Returns the number of statements of its last program. */
 static int put_programs(buffer *b, const request *r) {
     int statements = 0;
     buffer_text(b, "#include \"fuzz.h\"\n\n");

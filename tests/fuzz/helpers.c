@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions that read through their parameters in loops of their own: by tables, in rows whose
- * bounds are read as well, in searches that may fail, and in ways that cannot be told before; and
- * updates in several statements. Of programs whose seeds are divisible by 7; the others stay what
- * they were when these were added. */
+/* Functions that read through their parameters in loops: through tables, in rows whose bounds are
+ * read, in searches that may fail, and in ways that cannot be known in advance. Also updates in
+ * several statements. Only in programs with seed % 7 == 0, so that other seeds yield the same
+ * programs as before. */
 #include "fuzz/kernel.h"
 
 #include <string.h>
 
 typedef struct helper {
-    const char *type;    /* of the counter */
-    const char *counter; /* of its loop */
-    const char *loop;    /* the loop's head, with a blank behind it */
-    const char *element; /* x[...] of one turn */
-    const char *before;  /* declared before the loop, */
-    const char *setup;   /* at the head of its body, */
-    const char *after;   /* at its end */
+    const char *type;    /* type of the counter */
+    const char *counter; /* name of the counter */
+    const char *loop;    /* the loop's header, with a trailing blank */
+    const char *element; /* x[...] as one turn reads it */
+    const char *before;  /* declarations before the loop */
+    const char *setup;   /* statements at the beginning of the body */
+    const char *after;   /* statements at the end of the body */
 } helper;
 
 static void choose_loop(kernel *k, helper *h) {
@@ -26,7 +26,7 @@ static void choose_loop(kernel *k, helper *h) {
     if (is_outer)
         h->before = text(k, "    %s c;\n", h->type);
     switch (below(k, 6)) {
-    case 0: /* a row, whose bounds lie in a table */
+    case 0: /* a row whose bounds are in a table */
         h->type = "int";
         h->before = is_outer ? "    int c;\n" : "";
         h->loop = text(k, "for (%sc = row[at]; c < row[at + 1]; c++) ", is_outer ? "" : "int ");
@@ -64,12 +64,12 @@ static void choose_element(kernel *k, helper *h) {
         h->setup = text(k, "        const int j = %s;\n", from_table);
         h->element = "x[j]";
         return;
-    case 3: /* declared before */
+    case 3: /* declared before the loop */
         h->before = text(k, "%s    int j;\n", h->before);
         h->setup = text(k, "        j = %s;\n", from_table);
         h->element = "x[j]";
         return;
-    case 4: /* of the turn before */
+    case 4: /* the subscript of the previous turn */
         h->before = text(k, "%s    int j = at & %d;\n", h->before, mask);
         h->after = text(k, "        j = %s;\n", from_table);
         h->element = "x[j]";
@@ -110,7 +110,7 @@ static void put_sum(kernel *k, const char *function, const helper *h) {
         "    }\n    (void)list;\n    (void)row;\n    (void)count;\n    return sum;\n}\n");
 }
 
-/* Where in the row a key stands; -1: nowhere. */
+/* Appends a function that returns the position of a key in a row, or -1. */
 static void put_search(kernel *k, const char *function) {
     const bool is_row = chance(k, 60);
     put(k, &k->globals,
@@ -155,7 +155,7 @@ void call_of_helper(kernel *k) {
 const char *place_by_accessor(kernel *k, const array *a, const char *index) {
     static const char *const types[] = {"int", "long", "size_t", "short", "unsigned char"};
     static const char *const forms[] = {"&%s[at]", "%s + at", "at + %s", "&(*(%s + at))"};
-    /* Not all that is called by the kernel's own names lies in the file. */
+    /* Some expressions that begin with the kernel's names denote no object of the file. */
     const bool is_of_file =
         (a->storage == STORAGE_GLOBAL || a->storage == STORAGE_GLOBAL_POINTER) &&
         strstr(a->base, text(k, "_%llu", (unsigned long long)k->seed)) &&
@@ -210,7 +210,7 @@ void in_pieces(kernel *k) {
     default:
         put(k, &k->body, "%s %s= %s;\n", name, a->operation, first);
     }
-    if (chance(k, 8)) /* the value is wanted for another element */
+    if (chance(k, 8)) /* stored to another element */
         where = place(k, a, subscript(k));
     put(k, &k->body, "%s = %s;\n", where, name);
     if (chance(k, 10))

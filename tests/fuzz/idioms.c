@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops as programmers spell them: updates by functions that find the array in a record, extrema of
- * scalars, walks through arrays. Of programs whose seeds are divisible by 11; the others stay what
- * they were when these were added. */
+/* Loops as programmers write them: updates by functions that find the array in a record, extrema of
+ * scalars, and pointers that step through arrays. Only in programs with seed % 11 == 0, so that
+ * other seeds yield the same programs as before. */
 #include "fuzz/kernel.h"
 
-/* mat_add(&m, r, c, v), with m->values[r * m->width + c] += v. */
+/* Appends mat_add(&m, r, c, v), with m->values[r * m->width + c] += v. */
 static void update_by_member(kernel *k) {
     const array *a = any_reduction(k);
     const char *function = new_name(k, "entry");
@@ -27,7 +27,7 @@ static void update_by_member(kernel *k) {
         subscript(k), contribution(k, a));
 }
 
-/* if (x > big) { big = x; at = i; }, and what looks like it. */
+/* Appends if (x > big) { big = x; at = i; }, or similar statements. */
 static void scalar_extremum(kernel *k) {
     static const char *const comparisons[] = {">", ">", "<", ">=", "<="};
     const char *big = new_name(k, "big"), *at = new_name(k, "at"), *x = new_name(k, "x");
@@ -57,8 +57,8 @@ static void scalar_extremum(kernel *k) {
     add_name(&k->scope.values, type[0] == 'd' ? x : "0.5");
 }
 
-/* h[*p++ & 63] += v, and h[s[j++ % 64] & 63] += v where the statement may be reached more often
- * than the loop has iterations. */
+/* Appends h[*p++ & 63] += v, or h[s[j++ % 64] & 63] += v where the statement may be executed more
+ * often than the loop has iterations. */
 static void walk(kernel *k) {
     const array *a = any_reduction(k);
     const char *p = new_name(k, "walk"), *x = new_name(k, "x"), *own = k->subscript[0].base;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops inside the loop: of constant length, of rows of a sparse matrix, along chains. */
+/* Inner loops: of constant length, over rows of a sparse matrix, along chains. */
 #include "fuzz/kernel.h"
 
 static void put_body(kernel *k, scope outside) {
@@ -21,7 +21,7 @@ static void constant_loop(kernel *k) {
     put_body(k, outside);
 }
 
-/* An element of a row, mostly that of the loop's counter. */
+/* An element of a row, mostly the one at the loop's counter. */
 static const char *part_of_row(kernel *k, const array *a, const char *index, const char *c) {
     const int which = below(k, 12);
     return which == 0   ? text(k, "%s[%s][2 - %s]", a->base, index, c)
@@ -90,7 +90,7 @@ static void chain_loop(kernel *k) {
     k->scope = outside;
 }
 
-/* The variable declared outside keeps the subscript of the iteration before. */
+/* A variable declared outside the loop holds the subscript of the previous iteration. */
 static void lagging_loop(kernel *k) {
     const scope outside = k->scope;
     const char *c = new_name(k, "c");

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * One random program: a loop around irregular reductions, the memory it works on, and the function
- * that calls it. The text is a function of the seed. It has no undefined behaviour, by
- * construction: subscripts   lie in 0 ... elements - 1: subscript arrays hold nothing else, and are
- * masked where something may write them; positions lie below `size`, the length of every array
- *   integers     of contributions are at most 127 in size, so that no sum overflows
- *   floats       are bounded where an array that is accumulated into may be read
+ * One random program: a loop around irregular reductions, the loop's memory, and the function that
+ * calls it. The text depends only on the seed. By construction it has no undefined behaviour:
+ *   subscripts   are in 0 ... elements - 1, as are all values of subscript arrays; subscripts are
+ *                masked if the arrays may be written
+ *   positions    are less than `size`, the length of every array
+ *   integers     in contributions have a magnitude of at most 127, so that no sum overflows
+ *   floats       are bounded where an updated array may be read
  *   variables    are assigned before they are read
- *   pointers     to different types never lead to the same bytes, but for characters
+ *   pointers     to different types never point to the same bytes, except pointers to characters
  */
 #ifndef FUZZ_KERNEL_H
 #define FUZZ_KERNEL_H
@@ -42,31 +43,31 @@ typedef enum storage {
     STORAGE_PARAMETER,
     STORAGE_RESTRICT,
     STORAGE_GLOBAL,
-    STORAGE_CONTEXT, /* c->h, of a struct that is given by its address */
-    STORAGE_VALUE,   /* c.h, of a struct that is given by value */
+    STORAGE_CONTEXT, /* c->h, in a struct that is passed by address */
+    STORAGE_VALUE,   /* c.h, in a struct that is passed by value */
     STORAGE_POINTER, /* a local pointer to the object */
     STORAGE_GLOBAL_POINTER,
-    STORAGE_LOCAL, /* the kernel's own, copied from the object and back */
+    STORAGE_LOCAL, /* local to the kernel, copied from the object and back */
     STORAGE_STATIC_LOCAL,
     STORAGE_VARIABLE_LENGTH
 } storage;
 
 typedef struct array {
-    const char *base;   /* as the kernel spells it */
-    const char *object; /* the static array behind it */
-    const char *given;  /* what the caller passes: the object, or what it overlaps with */
-    const char *record; /* the type of records */
+    const char *base;   /* the array's name in the kernel */
+    const char *object; /* the static array that `base` denotes or points to */
+    const char *given;  /* the caller's argument: the object, or memory that it overlaps */
+    const char *record; /* the type of the elements if they are records */
     element type;
     shape shape;
     storage storage;
     const char *operation; /* of a reduction array: "+", "*", "&", "|", "^", "<", ">" */
-    bool is_member;        /* the object is a member of one that holds others as well */
-    bool is_no_integer;    /* its floating values are no small integers any more */
+    bool is_member;        /* the object is a member of a struct that holds other arrays as well */
+    bool is_no_integer;    /* its floating-point values are no longer small integers */
 } array;
 
 enum { MOST_NAMES = 24, REDUCTIONS = 2, SUBSCRIPTS = 2 };
 
-/** Variables in scope, of one kind. */
+/** The variables in scope of one kind. */
 typedef struct names {
     const char *name[MOST_NAMES];
     int count;
@@ -74,65 +75,65 @@ typedef struct names {
 
 typedef struct scope {
     names subscripts; /* integer variables in 0 ... elements - 1 */
-    names values;     /* floating-point variables of a few bits */
+    names values;     /* floating-point variables with few significant bits */
     names positions;  /* in 0 ... size - 64 */
     names smalls;     /* in 0 ... 2 */
-    int depth;        /* of blocks in the loop's body; 0: always executed */
+    int depth;        /* depth of nested blocks in the loop's body, or 0 if always executed */
     bool in_loop;     /* inside an inner loop */
-    bool can_skip;    /* which goes on by itself after a `continue` */
+    bool can_skip;    /* in an inner loop that continues after a `continue` */
 } scope;
 
 typedef struct kernel {
     uint64_t seed;
     random_source random;
     arena *memory;
-    const bool *without; /* by number of statement: to be left out; NULL: none */
+    const bool *without; /* without[n]: statement n is omitted; NULL: none is */
     int without_count;
-    int statements; /* numbered so far */
-    int names;      /* made so far */
+    int statements; /* number of statements so far */
+    int names;      /* number of names so far */
     buffer globals, pointers, locals, body, after;
     scope scope;
-    int size;     /* elements of every array */
-    int elements; /* a power of two: subscripts lie below */
+    int size;     /* number of elements of every array */
+    int elements; /* a power of two; subscripts are less */
     int trips;
-    bool is_wide;         /* programs of even seeds: wide.c, more storages, more than one loop */
-    bool has_rows;        /* programs of seeds divisible by 5: rows.c */
-    bool has_spans;       /* programs of seeds divisible by 3: spans.c */
-    bool sets_in_headers; /* of these, of seeds that leave 2, divided by 7 */
-    bool has_helpers;     /* programs of seeds divisible by 7: helpers.c */
-    bool has_idioms;      /* programs of seeds divisible by 11: idioms.c */
-    bool has_strides;     /* programs of seeds divisible by 13: steps that are variables */
-    bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, local records, i + 1 <
-                         n */
-    bool has_parts;   /* programs of seeds that leave 1, divided by 6: loop_over_parts */
-    bool has_turns;   /* programs of seeds that leave 6, divided by 7: turns.c */
-    bool has_walks;   /* programs of seeds that leave 4, divided by 9: walks.c */
-    bool has_shapes;  /* programs of seeds that leave 1, divided by 3: shapes.c */
-    bool has_leaving; /* programs of seeds that leave 2, divided by 6: leave.c */
-    bool has_recent;  /* programs of seeds that leave 2, 5, 6 or 9, divided by 10: recent.c */
-    bool has_tables;  /* programs of seeds that leave 3, divided by 8: tables.c */
-    bool has_lookups; /* programs of seeds that leave 4, divided by 6: lookups.c */
-    bool has_held;    /* objects that cannot be written during the calls */
-    bool is_masked;   /* subscripts from memory are masked at their use */
-    bool is_damped;   /* floating values are bounded at their use */
+    bool is_wide;         /* seed % 2 == 0: wide.c, more storages, more than one loop */
+    bool has_rows;        /* seed % 5 == 0: rows.c */
+    bool has_spans;       /* seed % 3 == 0: spans.c */
+    bool sets_in_headers; /* has_spans and seed % 7 == 2 */
+    bool has_helpers;     /* seed % 7 == 0: helpers.c */
+    bool has_idioms;      /* seed % 11 == 0: idioms.c */
+    bool has_strides;     /* seed % 13 == 0: steps that are variables */
+    bool has_drains;      /* seed % 17 == 0: read_then_stored, local records, i + 1 < n */
+    bool has_parts;       /* seed % 6 == 1: loop_over_parts */
+    bool has_turns;       /* seed % 7 == 6: turns.c */
+    bool has_walks;       /* seed % 9 == 4: walks.c */
+    bool has_shapes;      /* seed % 3 == 1: shapes.c */
+    bool has_leaving;     /* seed % 6 == 2: leave.c */
+    bool has_recent;      /* seed % 10 is 2, 5, 6 or 9: recent.c */
+    bool has_tables;      /* seed % 8 == 3: tables.c */
+    bool has_lookups;     /* seed % 6 == 4: lookups.c */
+    bool has_held;        /* some objects must not be written while the kernel is called */
+    bool is_masked;       /* subscripts from memory are masked at their use */
+    bool is_damped;       /* floating-point values are bounded at their use */
     bool has_outer_counter;
-    const char *trip; /* the bound, as the kernel spells it */
+    const char *trip; /* the bound's expression in the kernel */
     const char *trip_type;
     bool trip_is_variable;
     const char *counter_type;
-    bool has_plain_header; /* for (...; i < n; i++): may step further */
+    bool has_plain_header; /* for (...; i < n; i++), whose body may step further */
     bool may_continue;
-    bool is_integral; /* sums of integers are exact: compared in any order */
+    bool is_integral; /* sums of integers are exact, so results are compared with methods in any
+                         order */
     array reduction[REDUCTIONS];
-    array subscript[SUBSCRIPTS]; /* the second may be rows of three */
+    array subscript[SUBSCRIPTS]; /* the second one may have rows of three */
     array value;                 /* double or float */
     array other;                 /* double */
-    array flag;                  /* int: any small value */
+    array flag;                  /* int: small values */
     array chain;                 /* int: chain[k] < k, or 0 */
-    array first;                 /* int: not decreasing, steps below 4 */
-    array far;                   /* int: positions; some far out of range */
-    array out;                   /* double: written at the own element */
-    int live;                    /* values stored after the loop */
+    array first;                 /* int: never decreasing, in steps below 4 */
+    array far;                   /* int: positions, some far out of range */
+    array out;                   /* double: each iteration writes its own element */
+    int live;                    /* number of values stored after the loop */
 } kernel;
 
 /* ---- text */
@@ -142,13 +143,13 @@ void put(kernel *k, buffer *b, const char *format, ...) __attribute__((format(pr
 const char *new_name(kernel *k, const char *stem);
 bool chance(kernel *k, int percent);
 int below(kernel *k, int n);
-/** The name becomes known in the scope. */
+/** Adds the name to the list. */
 void add_name(names *list, const char *name);
 const char *any_name(kernel *k, const names *list);
-/** A statement: an update; a loop over the parts of rows, and updates of them. */
+/** Appends statements: an update; a loop over the parts of rows, with updates. */
 void plain_update(kernel *k);
 void loop_over_parts(kernel *k);
-/** Begins a numbered statement; end_statement takes it out where it is to be left out. */
+/** Begins a numbered statement. end_statement removes it if its number is to be left out. */
 size_t begin_statement(kernel *k);
 void end_statement(kernel *k, size_t begin);
 
@@ -166,14 +167,14 @@ const char *subscript(kernel *k);
 const char *value(kernel *k, int depth);
 const char *integer(kernel *k, int depth);
 const char *condition(kernel *k);
-/** An element of a reduction array. */
+/** Returns an element of a reduction array. */
 const char *place(kernel *k, const array *a, const char *index);
-/** The same by a function of the file that returns the element's or the row's address: helpers.c.
- */
+/** Like place, but by a function of the file that returns the address of the element or of the row
+ * (helpers.c). */
 const char *place_by_accessor(kernel *k, const array *a, const char *index);
-/** What may be accumulated into `a` by its operation. */
+/** Returns an expression that may be combined with elements of `a` by its operation. */
 const char *contribution(kernel *k, const array *a);
-/** One update of one element, as a statement's text without `;`. */
+/** Returns one update of one element as a statement without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
@@ -182,19 +183,20 @@ const char *update(kernel *k, const array *a, const char *where);
 void statement(kernel *k);
 void block(kernel *k, int count);
 void inner_loop(kernel *k);
-/** An element that the iteration stores may be read below; or may not, though it looks so. */
+/** An element that the iteration stores may be read further below; in nearly_stored_again it only
+ * seems to be the same. */
 void stored_again(kernel *k);
 void nearly_stored_again(kernel *k);
-/** The iteration's own element of an array is read here; the statement that is returned stores to
- *  it, or to one near. */
+/** Appends a read of the iteration's own element. Returns a statement that stores to this element
+ * or to one next to it. */
 const char *read_then_stored(kernel *k);
-/** A call in a sum's operand fills an array. */
+/** Appends a sum whose operand is a call that fills an array. */
 void filling_operand(kernel *k);
-/** Sums into members of a record, by its name or a pointer. */
+/** Appends sums in members of a record, accessed by name or through a pointer. */
 void sum_in_memory(kernel *k);
 void bait(kernel *k);
-/** As statement and bait, of kinds that only programs of even seeds have: programs of odd seeds
- * stay what they were when these were added. */
+/** Like statement and bait, but only in programs with even seeds, so that odd seeds yield the same
+ * programs as before. */
 void wide_statement(kernel *k);
 void wide_bait(kernel *k);
 void rows_behind_pointers(kernel *k);
@@ -205,35 +207,37 @@ void idiom(kernel *k);
 void shape_of_an_attack(kernel *k);
 void leave_or_look(kernel *k);
 void recent_shape(kernel *k);
-/** Behind the other loops: one for OpenMP. */
+/** Appended after the other loops: a loop for OpenMP. */
 void loop_with_directives(kernel *k);
 void loop_along_a_list(kernel *k);
 void walk_along_elements(kernel *k);
 void tables_by_pointers(kernel *k);
 void look_up_by_changed(kernel *k);
 array *any_reduction(kernel *k);
-/** A variable of the loop that is declared outside of it; `initial` is its first value. */
+/** Declares a variable of the loop outside of it, with the first value `initial`. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);
 
 /* ---- world.c */
 
 void make_world(kernel *k);
-/** Declarations of the arrays' memory. */
+/** Declares the memory of the arrays. */
 void put_objects(kernel *k, buffer *b);
-/** The kernel's parameters, with parentheses; and the arguments of a call. */
+/** Return the kernel's parameters with parentheses, and the arguments of a call. */
 const char *parameters(kernel *k);
 const char *arguments(kernel *k);
-/** The function that fills the arrays, calls the kernel and prints what is left. */
+/** Appends the function that fills the arrays, calls the kernel and prints the results. */
 void put_runner(kernel *k, buffer *b);
 
 /* ---- loop.c, noise.c */
 
-/** Appends the program of this seed; statements whose numbers are in `without` are left out.
- *  Returns how many statements it has. */
+/** Appends the program of this seed, without statements whose numbers are in `without`. Returns the
+ * number of its statements. */
 int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count);
-/** Odd but equal formatting: blanks, comments and line ends between words. */
+/** Writes the text with unusual but equivalent formatting: blanks, comments and line ends between
+ * words. */
 void put_with_noise(buffer *b, random_source *r, const char *text);
-/** Of some lines, in a branch of a conditional directive, beside others that are not compiled. */
+/** Puts some lines into a branch of a conditional directive, next to lines that are not compiled.
+ */
 void put_with_branches(buffer *b, random_source *r, const char *text);
 
 #endif

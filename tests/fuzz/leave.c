@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Iterations that may leave the loop, and pointers that are valid under a condition only. Of
- * programs whose seeds leave 2, divided by 6. */
+/* Iterations that may leave the loop, and pointers that are valid only under a condition. Only in
+ * programs with seed % 6 == 2. */
 #include "fuzz/kernel.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
 
-/* True in a few iterations, in none, or in one of a few calls. */
+/* Returns a condition that is true in a few iterations, in none, or in one of a few calls. */
 static const char *rare_condition(kernel *k) {
     const char *p = any_name(k, &k->scope.positions);
     switch (below(k, 9)) {
@@ -27,7 +27,7 @@ static const char *rare_condition(kernel *k) {
                    : text(k, "%s[%s] < -100", k->flag.base, p);
     case 6:
         return text(k, "%s[%s] < 0", k->flag.base, p);
-    case 7: /* now and then of what other iterations update */
+    case 7: /* in some programs on data that other iterations update */
         if (chance(k, 30) && k->reduction[0].type != E_COMPLEX)
             return text(k, "%s > 1000", place(k, &k->reduction[0], subscript(k)));
         return text(k, "7 / (%s[%s] + 1 + (%s[%s] < 0)) == 9", k->flag.base, p, k->flag.base, p);
@@ -36,7 +36,7 @@ static const char *rare_condition(kernel *k) {
     }
 }
 
-/* What is done before the loop is left, and how it is left. */
+/* Appends what is done before the loop is left, and the statement that leaves it. */
 static void put_departure(kernel *k) {
     const int ways = k->scope.in_loop ? 2 : 3;
     if (chance(k, 40))
@@ -58,7 +58,7 @@ static void leaves(kernel *k) {
     put(k, &k->body, "}\n");
 }
 
-/* From a loop inside. */
+/* The loop is left from an inner loop. */
 static void leaves_from_inside(kernel *k) {
     const scope outside = k->scope;
     const char *c = new_name(k, "c");
@@ -74,7 +74,7 @@ static void leaves_from_inside(kernel *k) {
     k->scope = outside;
 }
 
-/* An assertion that holds, here or in a function; or a function that ends the program, which is
+/* An assertion that holds, in the loop or in a function, or a function that ends the program and is
  * never called. */
 static void demands(kernel *k) {
     static const char *const checks[] = {"ASSERT(i <= %d);", "ASSERT(i <= %d);",
@@ -105,7 +105,7 @@ static void demands(kernel *k) {
     add_name(&k->scope.subscripts, name);
 }
 
-/* A pointer to a record of pointers, which leads somewhere only if the condition holds. */
+/* A pointer to a record of pointers, which is valid only if the condition holds. */
 static void valid_under_a_condition(kernel *k) {
     const char *record = new_name(k, "held"), *p = new_name(k, "p"),
                *at = any_name(k, &k->scope.positions);
@@ -134,7 +134,7 @@ static void valid_under_a_condition(kernel *k) {
     k->scope.depth++;
     add_name(&k->scope.values, text(k, "%s_x", p));
     put(k, &k->body, "%s;\n(void)%s_x;\n", update(k, a, place(k, a, text(k, "%s_at", p))), p);
-    if (chance(k, 10)) /* which leads elsewhere from now on */
+    if (chance(k, 10)) /* the pointer changes for later iterations */
         put(k, &k->body, "%s = %s->next;\n", p, p);
     k->scope = outside;
     put(k, &k->body, "}\n");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions that change their parameters and local variables, in ways that can or cannot be
- * followed, before they read an element by them. Of programs whose seeds leave 4, divided by 6. */
+/* Functions that change their parameters and local variables before they use them as subscripts, in
+ * ways that the analysis can or cannot follow. Only in programs with seed % 6 == 4. */
 #include "fuzz/kernel.h"
 
 static const char *known_condition(kernel *k) {
@@ -9,7 +9,7 @@ static const char *known_condition(kernel *k) {
     return conditions[below(k, 5)];
 }
 
-/* at and j stay subscripts of the tables. */
+/* Changes `at` and `j`, which stay within the tables. */
 static const char *change(kernel *k, int depth) {
     const int mask = k->elements - 1;
     switch (below(k, depth > 0 ? 12 : 8)) {

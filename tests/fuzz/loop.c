@@ -73,14 +73,15 @@ void end_statement(kernel *k, size_t begin) {
 /* ---- the loop -------------------------------------------------------------------------------- */
 
 typedef struct header {
-    const char *type;   /* of the counter */
-    const char *format; /* %1$s: the counter, %2$s: its type and it, or it; %3$s: the bound */
+    const char *type;   /* type of the counter */
+    const char *format; /* %1$s: the counter; %2$s: the counter, with its type where it is declared;
+                           %3$s: the bound */
     bool is_plain;
-    int most_trips;   /* 0: any */
-    bool is_declared; /* the counter is declared here, and nowhere else */
+    int most_trips;   /* maximum trip count, or 0 without a limit */
+    bool is_declared; /* the counter is declared only in the header */
 } header;
 
-/* Last the ones that wrap if they are misread, or run downwards, or by more than one. */
+/* The last ones run downwards, step by more than one, or wrap around if misread. */
 static const header headers[] = {
     {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0, false},
     {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0, false},
@@ -103,7 +104,7 @@ static const header headers[] = {
     {"unsigned char", "for (%2$s = 250; %1$s != (unsigned char)%3$s; %1$s++) ", false, 249, false},
 };
 
-/* Of programs of even seeds. */
+/* Only in programs with even seeds. */
 static const header wide_headers[] = {
     {"int", "for (%2$s = %3$s * 2; %1$s > 0; %1$s -= 2) ", false, 0, false},
     {"long long", "for (%2$s = %3$s; %1$s-- != 0;) ", false, 0, false},
@@ -117,7 +118,7 @@ static const header wide_headers[] = {
     {"int", "for (%2$s = %3$s - 1, end = 0; %1$s >= end; %1$s--) ", false, 0, true},
 };
 
-/* Of programs whose seeds are divisible by 17: the counter and a constant are compared. */
+/* Only in programs with seed % 17 == 0: the counter plus a constant is compared. */
 static const header headers_ahead[] = {
     {"int", "for (%2$s = 0; %1$s + 1 < %3$s; %1$s++) ", false, 0, false},
     {"int", "for (%2$s = 2; %3$s >= %1$s + 3; ++%1$s) ", false, 0, false},
@@ -135,8 +136,8 @@ static const header *any_header(kernel *k) {
     return &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];
 }
 
-/* A counter's first value, where what stands before the loop may jump past it; and in programs that
- * are reduced. */
+/* Returns the counter's initialiser, which it needs if statements before the loop may jump past its
+ * first value, or if statements are left out. */
 static const char *first_value(const kernel *k) {
     return k->without || k->body.length > 0 ? " = 0" : "";
 }
@@ -160,7 +161,7 @@ static void put_header(kernel *k, const char *counter, buffer *b) {
         put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, counter);
 }
 
-/* Two counters. */
+/* A loop with two counters. */
 static void put_pair(kernel *k, const char *counter, buffer *b) {
     const char *also = new_name(k, "a");
     k->has_plain_header = k->may_continue = k->has_outer_counter = true;
@@ -172,11 +173,12 @@ static void put_pair(kernel *k, const char *counter, buffer *b) {
     add_name(&k->scope.positions, also);
 }
 
-/* The bound is set in the header; the counter's address may be known, and not used in the loop. */
+/* The header sets the bound. The counter's address may be known outside, but the loop does not use
+ * it. */
 static void put_bound(kernel *k, const char *counter, buffer *b) {
     const char *end = new_name(k, "a");
     const bool is_known = chance(k, 50);
-    // A body that counts up as well would never bring a loop downwards to its end.
+    // A body that steps upwards would prevent a downward loop from ending.
     k->has_plain_header = chance(k, 50);
     k->may_continue = k->has_outer_counter = true;
     k->counter_type = "int";
@@ -194,7 +196,7 @@ static void put_bound(kernel *k, const char *counter, buffer *b) {
             end, counter);
 }
 
-/* A while loop with its own counting. Returns what is behind the body. */
+/* A while loop that steps its counter in the body. Returns the text after the body. */
 static const char *put_while(kernel *k, const char *counter, buffer *b) {
     k->has_plain_header = true;
     k->may_continue = false;
@@ -206,7 +208,7 @@ static const char *put_while(kernel *k, const char *counter, buffer *b) {
 }
 
 typedef struct do_form {
-    const char *type, *first; /* %s: the bound */
+    const char *type, *first; /* %s is the bound */
     const char *again;        /* %1$s: the counter, %2$s: the bound */
     bool is_plain, may_continue;
 } do_form;
@@ -222,8 +224,7 @@ static const do_form do_forms[] = {
     {"unsigned", "(unsigned)%s", "} while (--%1$s);\n", false, true},
 };
 
-/* Asked after each iteration; of programs whose seeds are divisible by 11. Returns what is behind
- * the body. */
+/* A do loop, only in programs with seed % 11 == 0. Returns the text after the body. */
 static const char *put_do(kernel *k, const char *counter, buffer *b) {
     const do_form *form = &do_forms[below(k, LENGTH(do_forms))];
     k->has_plain_header = form->is_plain;
@@ -258,8 +259,8 @@ static const stride_form stride_forms[] = {
     {"long", "0", "while (%1$s < %2$s) ", true},
 };
 
-/* By a step that is a variable; of programs whose seeds are divisible by 13. Returns what is behind
- * the body. */
+/* A loop with a variable step, only in programs with seed % 13 == 0. Returns the text after the
+ * body. */
 static const char *put_stride(kernel *k, bool with_bait, const char *counter, buffer *b) {
     static const char *const types[] = {"int", "int", "long", "short", "unsigned char", "size_t"};
     const stride_form *form = &stride_forms[below(k, LENGTH(stride_forms))];
@@ -323,7 +324,7 @@ static void put_statements(kernel *k, bool with_bait) {
         buffer_text(&k->body, store);
 }
 
-/* Little else than loops over the parts of rows: such a body mostly has a form for bins. */
+/* Appends mostly loops over the parts of rows: such a body usually has a form for binning. */
 static void put_parts(kernel *k) {
     for (int left = 1 + below(k, 3); left > 0; left--) {
         const size_t begin = begin_statement(k);
@@ -380,7 +381,7 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
 
 /* ---- the program ----------------------------------------------------------------------------- */
 
-/* Below each other, about the same arrays; the first may be reached twice. */
+/* Appends successive loops over the same arrays; a jump may lead to the first one again. */
 static void put_loops(kernel *k, bool with_bait) {
     static const char *const counters[] = {"i", "t", "u"};
     const scope outside = k->scope;
@@ -414,15 +415,14 @@ static void put_all(kernel *k, buffer *b) {
         k->globals.length ? k->globals.data : "");
     if (chance(k, 5))
         put(k, b, "#line %d \"made_%llu.y\"\n", 10 + below(k, 500), seed);
-    /* Loops of functions with some attributes are written in place, others in front of the
-     * function.
-     */
+    /* The generated code of functions with attributes is in the loop's place, that of others before
+     * the function. */
     put(k, b, "static %svoid kernel_%llu%s {\n",
         seed % 4 == 3 ? "__attribute__((aligned(32))) " : "", seed, parameters(k));
     put(k, b, "    (void)n, (void)c, (void)v, (void)live;\n%s%s",
         k->pointers.length ? k->pointers.data : "", k->locals.length ? k->locals.data : "");
-    random_source branches = {k->seed * 0x9e3779b97f4a7c15u + 5}; /* the rest is as without */
-    if (chance(k, 15) && !strstr(k->body.data, "#pragma")) /* noise would break such a line */
+    random_source branches = {k->seed * 0x9e3779b97f4a7c15u + 5}; /* the rest stays the same */
+    if (chance(k, 15) && !strstr(k->body.data, "#pragma")) /* noise would break a directive */
         put_with_noise(b, &k->random, k->body.data);
     else if (random_chance(&branches, 30))
         put_with_branches(b, &branches, k->body.data);

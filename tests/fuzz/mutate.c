@@ -2,8 +2,8 @@
 /*
  * mutate SEED <FILE
  *
- * Prints the file damaged: cut off, bytes changed, pieces left out, moved or doubled, or something
- * nested deeply put in. What comes out is mostly no C.
+ * Prints the file with damage: truncated, with changed bytes, with pieces removed, moved or
+ * duplicated, or with deeply nested text inserted. The result is mostly not valid C.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ static size_t place_in(random_source *r, const buffer *b) {
     return (size_t)random_below(r, (int)b->length + 1);
 }
 
-/* The text with [from, to) replaced. */
+/* Replaces [from, to) in the text. */
 static void replace(buffer *b, size_t from, size_t to, const char *text, size_t length) {
     buffer result = {0};
     buffer_append(&result, b->data, from);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* Blanks may stand for a blank of the text, as for the end of a line. */
+/* Texts that may replace a blank or a line end. */
 static const char *const blanks[] = {
     " ", "  ", "\n", "\t", " \\\n ", " /* i < n; */ ", "\n/* } */\n", " // k++;\n  "};
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Random numbers that a seed determines (splitmix64). */
+/** Random numbers determined by a seed (splitmix64). */
 #ifndef FUZZ_RANDOM_H
 #define FUZZ_RANDOM_H
 
@@ -17,7 +17,7 @@ static inline uint64_t random_next(random_source *r) {
     return z ^ (z >> 31);
 }
 
-/** In 0 ... n - 1; n > 0. */
+/** Returns a number in 0 ... n - 1; n must be positive. */
 static inline int random_below(random_source *r, int n) {
     return (int)(random_next(r) % (uint64_t)n);
 }

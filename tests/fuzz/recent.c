@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Counters that stop at a limit, elements of the iteration's own that are read, stored and read
- * again, tables between whose bounds a function keeps, pairs of records, and loops with OpenMP
- * directives; and what looks like these. Of programs whose seeds leave 2, 5, 6 or 9, divided by 10.
- */
+/* Counters that stop at a limit, own elements that are read, stored and read again, functions that
+ * clamp a table's subscript, pairs of records, loops with OpenMP directives, and similar
+ * statements. Only in programs with seed % 10 equal to 2, 5, 6 or 9. */
 #include "fuzz/kernel.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
@@ -11,7 +10,8 @@ static void print_after(kernel *k, const char *name) {
     put(k, &k->after, "    fuzz_print(\"%s\", %s, sizeof %s);\n", name, name, name);
 }
 
-/* if (e < 20) e++, of one limit; near twins have others, or pass it. */
+/* Appends if (e < 20) e++ with one limit; similar statements have several limits, or may pass the
+ * limit. */
 static void stopping_counter(kernel *k) {
     static const char *const types[] = {
         "unsigned char", "signed char", "unsigned short", "short",
@@ -36,7 +36,7 @@ static void stopping_counter(kernel *k) {
         chance(k, 10) ? text(k, "%s += 2", e) : text(k, steps[below(k, LENGTH(steps))], e);
 #pragma GCC diagnostic pop
     put(k, &k->body, chance(k, 50) ? "if (%s)\n%s;\n" : "if (%s) {\n%s;\n}\n", test, step);
-    if (chance(k, 10)) /* another limit, or an update that has none */
+    if (chance(k, 10)) /* another limit, or an update without a limit */
         put(k, &k->body, "if (%s < %d)\n%s%s;\n", e, limit + 1, e, chance(k, 50) ? "++" : "--");
     print_after(k, name);
 }
@@ -68,7 +68,7 @@ static void own_element(kernel *k) {
     print_after(k, p);
 }
 
-/* The function keeps between the table's bounds, or nearly. */
+/* A function that clamps the subscript to the table, or nearly does. */
 static void table_between_bounds(kernel *k) {
     static const char *const below_forms[] = {"    if (i < 0)\n        i = 0;\n",
                                               "    i = i < 0 ? 0 : i;\n",
@@ -97,7 +97,7 @@ static void table_between_bounds(kernel *k) {
         put(k, &k->body, "%s[%s & 7] = %s;\n", table, integer(k, 0), value(k, 0));
 }
 
-/* p[i].f += ..., p[j].f -= ..., by p[i].x and p[j].x; the sum of an energy. */
+/* p[i].f += ..., p[j].f -= ..., computed from p[i].x and p[j].x, and the sum of an energy. */
 static void pairs(kernel *k) {
     const char *p = new_name(k, "pairs"), *j = new_name(k, "j"), *d = new_name(k, "d");
     const char *t = k->scope.positions.name[0];
@@ -132,8 +132,8 @@ void recent_shape(kernel *k) {
     shapes[below(k, LENGTH(shapes))](k);
 }
 
-/* A parallel loop of its own, or one that a region's team shares, whose updates are protected; what
- * is not, OpenMP would not allow. */
+/* A parallel loop, or a loop that a region's team shares. Its updates are protected, since OpenMP
+ * forbids unprotected ones. */
 void loop_with_directives(kernel *k) {
     const char *sums = new_name(k, "sums"), *i = new_name(k, "o"), *v = new_name(k, "v");
     const char *at = new_name(k, "at"), *total = new_name(k, "total");

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers with commas between them, counted from `first`. */
+/* Reads numbers with commas between them and marks them in `set`, counted from `first`. */
 static bool read_list(bool *set, int size, uint64_t first, const char *list) {
     while (*list) {
         char *end;

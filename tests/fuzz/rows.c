@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Rows behind pointers in memory: updated, read, and some of them moved while the loop runs. Of
- * programs whose seeds are divisible by 5; the others stay what they were when these were added. */
+/* Rows behind pointers in memory: updated, read, and some of them moved while the loop runs. Only
+ * in programs with seed % 5 == 0, so that other seeds yield the same programs as before. */
 #include "fuzz/kernel.h"
 
-/* A table of k->size pointers to rows of at least three elements that lie in `memory`, also over
- * each other and twice; as the kernel spells it. */
+/* Declares a table of k->size pointers to rows of at least three elements in `memory`, some of
+ * which overlap or are equal. Returns the table's expression in the kernel. */
 static const char *declare_table(kernel *k, const char *type, const char *memory) {
     const char *name = new_name(k, "rows");
     const int mask = k->elements - 1;
@@ -30,7 +30,7 @@ static const char *declare_table(kernel *k, const char *type, const char *memory
     return text(k, "%s[%%s]", name);
 }
 
-/* The row of a table at a subscript. */
+/* Returns the row of a table at a subscript. */
 static const char *row_at(kernel *k, const char *table, const char *index) {
     buffer out = {0};
     for (const char *c = table; *c; c++)
@@ -67,7 +67,7 @@ static void put_row_update(kernel *k, const array *a, const char *row) {
     put(k, &k->body, "%s;\n", update(k, a, text(k, "%s[%s]", row, column(k))));
 }
 
-/* What the loop reads by rows: other doubles, or what it accumulates into. */
+/* The loop reads rows of other doubles, or of an array that it updates. */
 static void read_row(kernel *k, const array *a) {
     const bool is_updated = a->type == E_DOUBLE && chance(k, 25);
     const char *table = declare_table(k, "double", is_updated ? a->base : k->other.base);

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the second attack came with: counters that are set inside their loops, comparisons kept in
- * integers of every type, scalars that are accumulated into where a condition never holds, in
- * memory that cannot be written meanwhile, and functions of another file. Of programs whose seeds
- * leave 1, divided by 3. */
+/* Statements from the second series of attacks: counters set inside their loops, comparisons stored
+ * in integers of every type, scalars in write-protected memory with updates under a condition that
+ * never holds, and functions of another file. Only in programs with seed % 3 == 1. */
 #include "fuzz/kernel.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
 
-/* A condition of the iteration's own value, or one that is the same for all. */
+/* Returns a condition on the iteration's value, or one that is the same in all iterations. */
 static const char *condition_on(kernel *k, const char *name) {
     static const char *const forms[] = {"%1$s < 0.25", "%1$s > 0.5", "%1$s < 0.5 && %1$s > -0.5",
                                         "!(%1$s < 0.125)", "%1$s < -0.25 || %1$s > 0.75"};
@@ -19,7 +18,7 @@ static const char *condition_on(kernel *k, const char *name) {
 #pragma GCC diagnostic pop
 }
 
-/* What is done to the counter, or to the bound. */
+/* Returns a change of the counter or of the bound. */
 static const char *jump(kernel *k, const char *counter, const char *bound, const char *when) {
     switch (below(k, 9)) {
     case 0:
@@ -67,7 +66,7 @@ static void counter_set_inside(kernel *k) {
     add_name(&k->scope.values, r);
 }
 
-/* A comparison as an integer of some type, and what tells these types apart. */
+/* A comparison stored in an integer of some type, and arithmetic in which these types differ. */
 static void mask(kernel *k) {
     static const char *const types[] = {
         "int",   "unsigned",    "unsigned",       "long",      "unsigned long", "unsigned char",
@@ -94,7 +93,7 @@ static void mask(kernel *k) {
     add_name(&k->scope.smalls, text(k, "(%s %% 3)", use));
 }
 
-/* Of such an object the program reads and writes nothing while the loop runs. */
+/* While the loop runs, the program neither reads nor writes such an object. */
 static void held_scalar(kernel *k) {
     static const struct {
         const char *type, *initial, *update; /* %1$s: the object, %2$s: a value, %3$s: an integer */
@@ -138,7 +137,7 @@ static void held_scalar(kernel *k) {
     k->has_held = true;
 }
 
-/* A function of another file, which reads what each thread has for itself. */
+/* A function of another file, which reads values of the calling thread. */
 static void elsewhere(kernel *k) {
     const char *name = new_name(k, "d");
     const char *e = integer(k, 0);

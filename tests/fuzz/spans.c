@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops inside the loop that run along a row of elements, which the inspector is told at once; and
- * some of which it only seems so. In programs whose seeds are divisible by 3; the others stay what
- * they were when these were added. */
+/* Inner loops along a row of elements, which the inspector records at once, and loops that only
+ * resemble them. Only in programs with seed % 3 == 0, so that other seeds yield the same programs
+ * as before. */
 #include "fuzz/kernel.h"
 
 typedef struct span {
-    const char *first, *length, *counter; /* elements first ... first + length, counter's value */
-    const char *index;                    /* of the element at the counter */
-    const char *set;                      /* a variable that the header sets, too; or NULL */
-    bool is_left;                         /* the counter has a value after the loop */
+    const char *first, *length,
+        *counter;      /* variables: elements first ... first + length, inner counter */
+    const char *index; /* subscript of the element at the counter */
+    const char *set;   /* a variable that the header sets as well, or NULL */
+    bool is_left;      /* the counter's value is used after the loop */
 } span;
 
-/* first + length is below the number of elements. */
+/* Declares the bounds: first + length is less than the number of elements. */
 static void put_bounds(kernel *k, span *s) {
     s->first = new_name(k, "first");
     s->length = new_name(k, "length");
@@ -20,8 +21,8 @@ static void put_bounds(kernel *k, span *s) {
         (k->elements / 2 - 1) & (chance(k, 80) ? 7 : 63));
 }
 
-/* The header also sets the variable from which elements are counted, which had another value: of
- * programs whose seeds are divisible by 3 and leave 2, divided by 7. */
+/* The header also sets the variable from which elements are counted, which had another value
+ * before. Only in programs with seed % 3 == 0 and seed % 7 == 2. */
 static void put_header_that_sets(kernel *k, span *s) {
     const char *first = new_name(k, "h");
     s->set = first;
@@ -37,7 +38,7 @@ static void put_header_that_sets(kernel *k, span *s) {
                              : text(k, "%s + %s", s->first, s->counter);
 }
 
-/* From the row's own first element, or from 0. */
+/* Appends the header of a loop from the row's first element, or from 0. */
 static void put_header(kernel *k, span *s) {
     static const char *const types[] = {"int", "long", "size_t", "unsigned", "short"};
     static const char *const sums[] = {"%s + %s", "%s + (int)%s", "(%s - 1) + %s + 1"};

@@ -12,8 +12,8 @@ void declare_outside(kernel *k, const char *type, const char *name, const char *
     put(k, &k->locals, initial ? "    %s %s = %s;\n" : "    %s %s;\n", type, name, initial);
 }
 
-/* Declared without a first value where the statement at hand is executed in each iteration, and
- * there is no other use of the variable than by what follows. */
+/* Returns NULL, for no initialiser, if this statement is executed in each iteration and only later
+ * statements use the variable. */
 static const char *first_value(kernel *k, bool is_last_wanted) {
     const bool is_certain = k->scope.depth == 0 && !k->scope.in_loop && !is_last_wanted;
     return is_certain && !k->without ? NULL : "0";
@@ -64,7 +64,7 @@ static void assign_outer_value(kernel *k) {
     add_name(&k->scope.values, name);
 }
 
-/* An own variable with a default, changed under a condition, along a chain. */
+/* A private variable with a default, changed under a condition or along a chain. */
 static void changed_subscript(kernel *k) {
     const char *name = new_name(k, "k");
     const char *e = subscript(k);
@@ -188,7 +188,7 @@ static void call_that_updates(kernel *k) {
 
 /* ---- updates and control --------------------------------------------------------------------- */
 
-/* Elements that lie side by side: members of a record, of the array's type or of another. */
+/* Adjacent elements: members of a record, of the array's type or of another. */
 static void updates_of_a_row(kernel *k, const array *a) {
     const char *index = subscript(k);
     for (int left = 2 + below(k, 3); left > 0; left--)
@@ -239,7 +239,7 @@ static void skip(kernel *k) {
         put(k, &k->body, "if (%s)\ncontinue;\n", condition(k));
 }
 
-/* A subscript that may be loaded, or computed, only under its condition. */
+/* A subscript that may be loaded or computed only under its condition. */
 static void protected_subscript(kernel *k) {
     const char *name = new_name(k, "k");
     const char *p = any_name(k, &k->scope.positions);
@@ -268,7 +268,7 @@ static void scalar_sum(kernel *k) {
     store_after(k, name);
 }
 
-/* A counter beside the loop's own, used before and after its step. */
+/* A secondary counter, used before and after its step. */
 static void counter_beside(kernel *k) {
     static const char *const types[] = {"int", "int", "long", "unsigned"};
     if (k->scope.in_loop || (k->scope.depth && chance(k, 80)))

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Elements that an iteration stores and reads again; and some that only look so. */
+/* Elements that an iteration stores and reads again, and elements that only seem to be the same. */
 #include "fuzz/kernel.h"
 
 #include <string.h>
 
 #define LENGTH(stored) (int)(sizeof(stored) / sizeof *(stored))
 
-/* An array of the program's own for stored subscripts, or values, that is compared in the end. */
+/* Declares an array of the program for stored subscripts or values, which is compared in the
+ * end. */
 static const char *new_stored(kernel *k, bool is_value) {
     static const char *const integers[] = {"int", "int", "short", "unsigned char", "long"};
     static const char *const floats[] = {"double", "double", "float"};
@@ -17,7 +18,7 @@ static const char *new_stored(kernel *k, bool is_value) {
     return name;
 }
 
-/* Which element: the iteration's own, or one that others store to as well. */
+/* Returns the iteration's own element, or one that others store to as well. */
 static const char *element_of(kernel *k, const char *stored) {
     const char *p = k->scope.positions.name[0];
     if (k->scope.subscripts.count && chance(k, 25))
@@ -43,29 +44,29 @@ void nearly_stored_again(kernel *k) {
         put(k, &k->body, "%s = %s;\n", e, subscript(k));
         read = text(k, "%s[%s + 1]", stored, p);
         break;
-    case 1: { /* not always */
+    case 1: { /* stored in some iterations only */
         const char *when = condition(k);
         put(k, &k->body, "if (%s) {\n%s = %s;\n}\n", when, e, subscript(k));
         break;
     }
-    case 2: { /* another element by then */
+    case 2: { /* the subscript changes before the read */
         const char *at = new_name(k, "k");
         put(k, &k->body, "int %s = %s;\n", at, subscript(k));
         e = read = text(k, "%s[%s]", stored, at);
         put(k, &k->body, "%s = %s;\n%s ^= 1;\n", e, subscript(k), at);
         break;
     }
-    case 3: { /* by another name */
+    case 3: { /* stored under another name */
         const char *name = new_name(k, "p");
         put(k, &k->body, "__typeof__(&%s[0]) %s = &%s;\n", stored, name, e);
         put(k, &k->body, "%s = %s;\n", e, subscript(k));
         read = text(k, "*%s", name);
         break;
     }
-    case 4: /* from what it held */
+    case 4: /* computed from the old value */
         put(k, &k->body, "%s = (%s + %s) & %d;\n", e, e, subscript(k), k->elements - 1);
         break;
-    default: { /* read first: what the last round has left */
+    default: { /* read first: the value of the previous call */
         const char *name = new_name(k, "k");
         put(k, &k->body, "int %s = %s;\n", name, e);
         put(k, &k->body, "%s = %s;\n", e, subscript(k));
@@ -76,7 +77,7 @@ void nearly_stored_again(kernel *k) {
     add_name(&k->scope.subscripts, read);
 }
 
-/* What is stored, and when: a constant or what stays, mostly. */
+/* Returns a store, mostly of a constant or an invariant value. */
 static const char *store_to(kernel *k, const char *drained, const char *own, bool is_floating) {
     const char *stays = new_name(k, "stays"), *p = k->scope.positions.name[0];
     put(k, &k->locals, "    const %s %s = %d;\n", is_floating ? "double" : "int", stays,
@@ -117,8 +118,7 @@ const char *read_then_stored(kernel *k) {
     return store_to(k, drained, own, is_floating);
 }
 
-/* sum += f(v, p): the call fills an array of the iteration's own, or one that is declared outside.
- */
+/* sum += f(v, p): the call fills an array of the iteration, or one that is declared outside. */
 void filling_operand(kernel *k) {
     const bool is_integer = chance(k, 30);
     const char *type = is_integer ? "int" : "double", *function = new_name(k, "fill");
@@ -139,7 +139,7 @@ void filling_operand(kernel *k) {
         add_name(&k->scope.subscripts, text(k, "(%s[0] & %d)", p, k->elements - 1));
 }
 
-/* Sums that are no variables: members, elements, what a pointer leads to. */
+/* Sums that are no variables: members, elements, and targets of pointers. */
 void sum_in_memory(kernel *k) {
     static const char *const places[] = {"%s.x", "%s.y[1]", "%s.y[0]", "at_%s->x", "at_%s->y[2]"};
     static const char *const types[] = {"double", "double", "float", "long", "unsigned char"};

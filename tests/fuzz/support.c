@@ -38,7 +38,7 @@ void fuzz_seed(unsigned long long seed) {
         fesetround(seed % 2 ? FE_DOWNWARD : FE_UPWARD);
 }
 
-/* The section ends with an object of this file, which may share its last page with others. */
+/* The section ends with an object of this file, which may share its last page with other data. */
 FUZZ_HELD __attribute__((used)) char last_held = 1;
 extern char __start_fuzz_held[], __stop_fuzz_held[];
 
@@ -64,7 +64,8 @@ int fuzz_below(int n) {
     return (int)(any() % (unsigned)n);
 }
 
-/* All bits of a double in use, over several binades; or -4 ... 4. */
+/* Returns a value that uses all bits of a double, over several binades; or an integer in -4 ...
+ * 4. */
 static double value(void) {
     if (is_integral)
         return fuzz_below(9) - 4;
@@ -75,7 +76,7 @@ static double value(void) {
 
 static void set_integer(void *to, size_t bytes, int v) {
     const int64_t wide = v;
-    memcpy(to, &wide, bytes); /* the low ones */
+    memcpy(to, &wide, bytes); /* the low bytes */
 }
 
 static void set(void *to, enum fuzz_type type, int below) {

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Small tables that a loop fills and later loops read, by subscripts or by pointers that walk; some
- * loops do not fill all that is read. Of programs whose seeds leave 3, divided by 8. */
+/* Small tables that one loop fills and later loops read, by subscripts or through pointers that
+ * step. Some loops do not fill all elements that are read. Only in programs with seed % 8 == 3. */
 #include "fuzz/kernel.h"
 
 typedef enum way { BY_SUBSCRIPT, BY_HEADER, BY_USE, BY_END, SET_BEFORE, WAYS } way;
 
 typedef struct table {
-    const char *name, *length, *low, *start; /* start: of pointers */
+    const char *name, *length, *low, *start; /* start: first value of the pointers */
     const char *pointers[2], *counter;
     bool is_integer, is_outside;
-    const char *step; /* of pointers */
+    const char *step; /* the pointers' step */
 } table;
 
-/* The table is never undefined, whatever the loops leave out. */
+/* Declares the table, initialised so that no element is undefined, whatever the loops leave out. */
 static table declare_table(kernel *k) {
     const char *name = new_name(k, "w"), *counter = new_name(k, "c"), *low = new_name(k, "low");
     const bool is_integer = chance(k, 40), is_outside = chance(k, 75);
@@ -40,7 +40,7 @@ static table declare_table(kernel *k) {
     return w;
 }
 
-/* The header, and what sets the pointer before it. */
+/* Appends the loop's header and, before it, the statement that sets the pointer. */
 static void put_head(kernel *k, const table *w, way by, const char *p) {
     const char *start = chance(k, 6) ? text(k, "%s + 1", w->start) : w->start;
     const char *length = chance(k, 6) ? text(k, "%s + 1", w->length) : w->length;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops along lists: each turn finds its rows, works, and updates them; or does something that the
- * turns after it see. Of programs whose seeds leave 6, divided by 7. */
+/* Loops along lists: each turn finds its rows, computes, and updates them, or does something that
+ * affects later turns. Only in programs with seed % 7 == 6. */
 #include "fuzz/kernel.h"
 
 static void put_row(kernel *k, const char *name) {
@@ -26,7 +26,7 @@ static void put_work(kernel *k, const char *name) {
     add_name(&k->scope.values, name);
 }
 
-/* What cuts a turn short, or what other turns see. */
+/* Appends a statement that cuts the turn short, or that affects other turns. */
 static void put_turning_point(kernel *k, const char *row, const char *carried) {
     switch (below(k, 12)) {
     case 0:

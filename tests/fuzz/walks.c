@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Local pointers that are set in an iteration and walk from there, in headers and bodies, beside
- * other things that headers change; blocks of rows or of parts of records. Of programs whose seeds
- * leave 4, divided by 9. */
+/* Local pointers, set in an iteration, that step in headers and bodies next to other variables of
+ * the headers. Also blocks of rows or of parts of records. Only in programs with seed % 9 == 4. */
 #include "fuzz/kernel.h"
 
 typedef struct walk {
@@ -13,7 +12,7 @@ static const char *type_behind(const array *a) {
     return a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
 }
 
-/* first + 2 * length stays below the number of elements. */
+/* Declares the bounds: first + 2 * length is less than the number of elements. */
 static void put_bounds(kernel *k, walk *w) {
     w->first = new_name(k, "first");
     w->length = new_name(k, "length");
@@ -30,7 +29,7 @@ static void put_pointer(kernel *k, walk *w) {
     else
         put(k, &k->body, "%s *%s", type_behind(a), w->pointer);
     put(k, &k->body, chance(k, 50) ? " = %s + %s;\n" : " = &%s[%s];\n", a->base, w->first);
-    if (chance(k, 10)) /* a second start */
+    if (chance(k, 10)) /* another start */
         put(k, &k->body, "if (%s)\n%s = %s + %s / 2;\n", condition(k), w->pointer, a->base,
             w->first);
 }
@@ -64,7 +63,7 @@ static void put_walk(kernel *k, walk *w) {
     put(k, &k->body, "}\n");
 }
 
-/* Rows of two blocks, or parts of their records, with some work. */
+/* Appends loops over rows of two blocks, or over parts of their records, with some arithmetic. */
 static void put_blocks(kernel *k, const walk *w) {
     const array *a = w->array;
     const char *other = new_name(k, "other"), *i = new_name(k, "i"), *j = new_name(k, "j");
@@ -104,7 +103,7 @@ void walk_along_elements(kernel *k) {
     put_pointer(k, &w);
     put_walk(k, &w);
     k->scope = outside;
-    if (chance(k, 25)) /* one past the last, or before it */
+    if (chance(k, 25)) /* one element after the last one, or before the first */
         put(k, &k->body, "%s;\n", update(k, w.array, target(k, &w)));
     if (w.beside && chance(k, 40)) {
         const array *a = any_reduction(k);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Statements of programs of even seeds: more ways to the same memory, more ways to say the same. */
+/* Statements of programs with even seeds: more ways to access the same memory, and more spellings
+ * of the same operation. */
 #include "fuzz/kernel.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
@@ -8,7 +9,7 @@ static const char *spelling(const array *a) {
     return elements[a->type].spelling;
 }
 
-/* Another array of the kind of `a`, reached by this name. */
+/* Returns an array of the same kind as `a` with this name. */
 static array called(const array *a, const char *base) {
     array b = *a;
     b.base = base;
@@ -19,7 +20,7 @@ static void put_update(kernel *k, const array *a, const char *index) {
     put(k, &k->body, "%s;\n", update(k, a, place(k, a, index)));
 }
 
-/* A pointer to the elements of `a`, declared outside, from where `from` says. */
+/* Declares a pointer to the elements of `a` outside the loop, initialised by `from`. */
 static const char *declare_pointer(kernel *k, const array *a, const char *from) {
     const char *name = new_name(k, "p");
     if (a->shape == SHAPE_ROWS)
@@ -115,7 +116,8 @@ static void moved_pointer(kernel *k) {
     put_update(k, &b, subscript(k));
 }
 
-/* Two names for one array in a struct: updated by one, and by the other or read. */
+/* Two members of a struct point to one array: the loop updates through one of them, and updates or
+ * reads through the other. */
 static void members(kernel *k) {
     const array *a = any_reduction(k);
     const char *name = new_name(k, "both");
@@ -185,7 +187,7 @@ static void scattered_store(kernel *k) {
     put(k, &k->body, "%s[%s] = %s;\n", k->out.base, index, value(k, 1));
 }
 
-/* One text, two variables. */
+/* One text that denotes two variables. */
 static void shadowed(kernel *k) {
     const array *a = any_reduction(k);
     const char *name = new_name(k, "k");

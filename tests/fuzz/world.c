@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The memory of a program: which arrays there are, how they are reached, what is in them. */
+/* The memory of a program: its arrays, how the kernel accesses them, and their values. */
 #include "fuzz/kernel.h"
 
 #include <string.h>
@@ -33,7 +33,7 @@ static void name_array(kernel *k, array *a, const char *name) {
     const unsigned long long seed = (unsigned long long)k->seed;
     a->storage = any_storage(k);
     if (a->storage >= STORAGE_LOCAL && a->type == E_COMPLEX)
-        a->storage = STORAGE_PARAMETER; /* clang 19 may crash on z[k]++ of such */
+        a->storage = STORAGE_PARAMETER; /* clang 19 may crash on z[k]++ of such arrays */
     a->is_member = k->is_wide && chance(k, 25);
     a->object = a->given =
         a->is_member ? text(k, "all_%llu.%s", seed, name) : text(k, "%s_%llu", name, seed);
@@ -100,13 +100,13 @@ static bool is_pointed_to(const array *a) {
            a->storage == STORAGE_VALUE || a->storage == STORAGE_GLOBAL_POINTER;
 }
 
-/* What is reached through a pointer may be, or overlap with, an array of the same type. */
+/* An array accessed through a pointer may be, or overlap with, another array of the same type. */
 static void let_overlap(kernel *k) {
     for (int i = 0; i < ARRAYS + k->is_wide; i++) {
         array *a = i < ARRAYS ? array_of(k, i) : &k->out;
         const array *b = array_of(k, below(k, ARRAYS));
         const bool is_pointer = is_pointed_to(a) && b->storage != STORAGE_RESTRICT;
-        /* what bounds loops or is no subscript where it is large must stay as it was filled */
+        /* arrays of bounds, and of values out of range, must keep their initial values */
         const bool is_kept =
             a == &k->chain || a == &k->first || a == &k->far || b == &k->first || b == &k->far;
         if (!is_pointer || is_kept || a == b || a->type != b->type || a->shape != b->shape ||
@@ -139,7 +139,7 @@ void make_world(kernel *k) {
 
 /* ---- declarations ---------------------------------------------------------------------------- */
 
-/* `name` declared as a pointer to the elements, rows or records of the array. */
+/* Returns the declaration of `name` as a pointer to the array's elements, rows or records. */
 static const char *pointer_to(kernel *k, const array *a, const char *name) {
     const char *type = a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
     const char *constant = a->operation || a == &k->out || k->is_masked ? "" : "const ";
@@ -151,7 +151,8 @@ static const char *type_of(const array *a) {
     return a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
 }
 
-/* Copied from the object at the kernel's begin, and back at its end. */
+/* Declares an array that is copied from the object when the kernel begins, and back when it
+ * ends. */
 static void put_own_array(kernel *k, const array *a) {
     const char *rows = a->shape == SHAPE_ROWS ? "[3]" : "";
     const char *length = text(k, "%d", k->size);
@@ -199,7 +200,7 @@ static void put_struct(kernel *k, buffer *b, const char *name, storage of) {
     put(k, b, "};\n");
 }
 
-/* Arrays that lie in one object, one after the other. */
+/* Declares one object that contains several arrays, one after the other. */
 static void put_members_of_all(kernel *k, buffer *b) {
     put(k, b, "static struct {\n    int none;\n");
     for (int i = 0; i <= ARRAYS; i++) {
@@ -252,7 +253,7 @@ const char *arguments(kernel *k) {
     return text(k, "%s)", list);
 }
 
-/* ---- what is in them ------------------------------------------------------------------------- */
+/* ---- initial values -------------------------------------------------------------------------- */
 
 static void fill(kernel *k, buffer *b, const array *a, int limit) {
     static const char *const types[ELEMENT_COUNT] = {
@@ -295,7 +296,7 @@ static void put_members(kernel *k, buffer *b, const char *variable, storage of) 
     }
 }
 
-/* Updated in another order, does the array get other bits, even of small integers? */
+/* Do updates in another order give the array other bits, even for small integers? */
 static bool is_inexact(const array *a) {
     return elements[a->type].is_floating &&
            (a->type == E_FLOAT || *a->operation != '+' || a->is_no_integer);
@@ -308,7 +309,7 @@ static bool lies_in(const array *a, const char *object) {
     return is_given || strcmp(a->object, object) == 0;
 }
 
-/* Does the order of updates show in the values that all updates are made from? */
+/* Do the values from which all updates are computed depend on the order of updates? */
 static bool shows_order_in_values(const kernel *k) {
     for (int i = 0; i < REDUCTIONS; i++) {
         const array *a = &k->reduction[i];
@@ -318,11 +319,11 @@ static bool shows_order_in_values(const kernel *k) {
     return false;
 }
 
-/* Does it show in the object, by whatever name that is updated? */
+/* Does the object depend on the order of updates, under whatever name it is updated? */
 static bool shows_order(const kernel *k, const char *object) {
     for (int i = 0; i < REDUCTIONS; i++) {
         const array *a = &k->reduction[i];
-        /* What is stored in `out` may come from any of them. */
+        /* What is stored in `out` may come from any reduction array. */
         if (is_inexact(a) && (lies_in(a, object) || strcmp(k->out.object, object) == 0))
             return true;
     }
@@ -341,7 +342,8 @@ static void put_hashes(kernel *k, buffer *b) {
         (unsigned long long)k->seed, (unsigned long long)k->seed);
 }
 
-/* Between calls subscripts change, here and there or not at all: plans are kept or made anew. */
+/* Between calls subscripts change in some places, everywhere or not at all, so that plans are
+ * reused or made again. */
 void put_runner(kernel *k, buffer *b) {
     const unsigned long long seed = (unsigned long long)k->seed;
     put(k, b, "static void run_%llu(void) {\n", seed);

@@ -1,4 +1,4 @@
-/* Rows of which an inner loop updates what lies between two bounds. */
+/* An inner loop updates the elements of a row between two bounds. */
 void sum_up(int n, int m, const int *cluster, float **value, float (*centre)[34], int *length) {
     for (int i = 0; i < n; i++) {
         int k = cluster[i];

@@ -1,4 +1,4 @@
-/* Branches that this compilation takes, and others. */
+/* Conditional branches that this compilation selects, and others. */
 struct table {
     double *value;
     int *count;

@@ -1,4 +1,4 @@
-/* Lines end in CR LF. */
+/* Its lines end in CR LF. */
 void crlf(int n, const int *restrict k, int *restrict h);
 void crlf(int n, const int *restrict k, int *restrict h) {
     int t;

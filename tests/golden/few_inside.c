@@ -1,4 +1,4 @@
-/* Whether iterations are short: by how far the loops inside them go, whatever else these set. */
+/* Iterations are short or long by the trip counts of their inner loops, whatever these loops set. */
 void sites(int n, const int *code, const int *kind, const int (*fold)[4], double *count) {
     for (int t = 0; t < n; t++) {
         int base, same;

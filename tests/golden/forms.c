@@ -1,4 +1,4 @@
-/* How loops stand in their surroundings. */
+/* Places where a loop may be. */
 int forms(int n, const int *restrict k, double *restrict h, float *restrict g);
 int forms(int n, const int *restrict k, double *restrict h, float *restrict g) {
     int t, half, before = 1; for (t = 0; t < n; t++) { h[k[t]] += 1.0; } int after = 2; /* one line */

@@ -1,4 +1,4 @@
-/* Slice and body stay in the loop's block: a value is left behind, a sum beside, a type inside. */
+/* Slice and body stay in the loop's block, because of a value used after the loop, or a local type. */
 struct system {
     double *h;
 };

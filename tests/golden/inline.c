@@ -1,4 +1,4 @@
-/* Functions that are inline, and static data in them. */
+/* Loops in inline functions, with internal and with external linkage. */
 static inline void fine(int n, const int *restrict k, int *restrict h) {
     for (int t = 0; t < n; t++)
         h[k[t]]++;

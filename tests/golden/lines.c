@@ -1,4 +1,4 @@
-/* A file made from another: its #line directives are followed. */
+/* A generated file: redcc takes line numbers from its #line directives. */
 #line 100 "grammar.y"
 void made(int n, const int *restrict k, int *restrict h);
 void made(int n, const int *restrict k, int *restrict h) {

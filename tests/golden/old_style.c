@@ -1,5 +1,5 @@
 /* REDCC: -std=c89 */
-/* K&R definitions and implicit int; declarations at the head of blocks only. */
+/* K&R definitions and implicit int; declarations only at the beginning of blocks. */
 old(n, k, h)
 int n, *k;
 double *h;

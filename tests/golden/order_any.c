@@ -1,5 +1,5 @@
 /* REDCC: --order=any */
-/* Two arrays of different rows, an array variable, its size asked for in the loop. */
+/* Two arrays with different rows, one of them an array variable whose size the loop uses. */
 double sums[100][2];
 void any(int n, const int *restrict k, long *restrict count);
 void any(int n, const int *restrict k, long *restrict count) {

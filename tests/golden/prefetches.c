@@ -1,4 +1,4 @@
-/* How far ahead: iterations of 3, 18, 150, 840 and some 12,000 operations. */
+/* Prefetch distances for iterations of 3, 18, 150, 840 and about 12,000 operations. */
 #include <math.h>
 
 static double series(double x, double y) {

@@ -1,5 +1,5 @@
 /* REDCC: --lanes=4 */
-/* Which loops are unrolled, and what needs a first value in vectors. */
+/* Which short loops are unrolled, and which vector variables must be initialised. */
 void blocks(int n, const int (*k)[3], const double (*restrict x)[9], double (*restrict a)[9]) {
     for (int t = 0; t < n; t++) {
         double small[3], large[9], some[3];

@@ -1,4 +1,4 @@
-/* Several arrays at one subscript share a record, where they are updated nowhere but together. */
+/* Several arrays share one record per subscript, if each is updated only together with the others. */
 void springs(int n, const int (*restrict edge)[2], const double *restrict length, double *restrict fx,
              double *restrict fy, double *restrict fz);
 void springs(int n, const int (*restrict edge)[2], const double *restrict length, double *restrict fx,
@@ -27,7 +27,7 @@ void means(int n, const int *restrict k, const float *restrict value, long *rest
     }
 }
 
-/* The third array is updated without the others as well. */
+/* The third array is also updated without the other two. */
 void partly(int n, const int *restrict k, double *restrict a, double *restrict b, double *restrict c);
 void partly(int n, const int *restrict k, double *restrict a, double *restrict b, double *restrict c) {
     for (int t = 0; t < n; t++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The text form's reader: records, variables, functions, directives. */
+/* The reader of the text form: records, variables, functions and directives. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -63,7 +63,7 @@ static bool is_record(const sexp *s) {
     return has_word(s, "struct") || has_word(s, "union");
 }
 
-/* Sizes and spellings are read before any type, so that records may stand in any order. */
+/* Sizes and spellings are read before any type, so that records may be in any order. */
 static bool read_record_head(ir_reader *r, const sexp *s, unsigned *next, ir_record *record) {
     for (; *next < s->count && s->items[*next]->kind != SEXP_LIST; ++*next) {
         const sexp *item = s->items[*next];
@@ -98,7 +98,7 @@ static bool declare_record(ir_reader *r, const sexp *s) {
     return read_record_head(r, s, &next, record);
 }
 
-/* Natural alignment under LP64, for the offsets that the text leaves out. */
+/* Returns the natural alignment under LP64, for offsets that the text omits. */
 static int64_t alignment(const ir_type *type) {
     type = ir_type_innermost(type);
     if (type->kind == IR_COMPLEX)
@@ -212,7 +212,7 @@ static ir_variable *read_variable(ir_reader *r, const sexp *s, ir_storage storag
     return v;
 }
 
-/* Is it a declaration of a variable with one of these storages? */
+/* Is `s` a declaration of a variable with a storage permitted here? Sets *storage. */
 static bool is_variable(const sexp *s, bool is_in_function, ir_storage *storage) {
     static const ir_storage of_file[] = {IR_GLOBAL, IR_STATIC, IR_THREAD_LOCAL};
     static const ir_storage of_function[] = {IR_PARAMETER, IR_LOCAL, IR_STATIC_LOCAL,
@@ -248,7 +248,8 @@ static bool read_function_flag(ir_reader *r, const sexp *item, ir_function *f) {
     return true;
 }
 
-/* Parameters and locals without a declarator; `next` stands behind them afterwards. */
+/* Reads parameters, and locals without a declarator. Afterwards `next` is the index of the first
+ * item behind them. */
 static bool read_function_variables(ir_reader *r, const sexp *s, unsigned *next, ir_function *f) {
     VECTOR(ir_variable *) parameters = {0};
     ir_storage storage;
@@ -296,8 +297,8 @@ static bool declare_function(ir_reader *r, const sexp *s) {
     return true;
 }
 
-/* The type must be known before any body is read: parameters are read twice, here for their types
- * alone. */
+/* The function's type must be known before any body is read. So parameters are read twice, here
+ * only for their types. */
 static bool read_function_type(ir_reader *r, const sexp *s, ir_function *f) {
     const ir_type *result = ir_read_type(r, s->items[2], 0), *type = NULL;
     unsigned next = 3;
@@ -366,7 +367,7 @@ static bool read_directive(ir_reader *r, const sexp *s, ir_directive *directive)
     return s->count <= next || ir_read_range(r, s->items[next], 1, &directive->range);
 }
 
-/* Blanks, where only the length of the file is known. */
+/* Returns blanks as the file's text if only its length is known. */
 static const char *blanks(arena *a, size_t length) {
     char *text = arena_allocate(a, length + 1);
     memset(text, ' ', length);
@@ -395,8 +396,8 @@ static bool read_unit_fact(ir_reader *r, const sexp *s) {
     return true;
 }
 
-/* What later parts refer to: records and functions by name, then fields and variables, then
- * functions' types. */
+/* Reads the declarations to which later parts refer: records and functions by name, then fields and
+ * variables, then the functions' types. */
 static bool read_declarations(ir_reader *r, const sexp *s) {
     ir_storage storage;
     for (unsigned i = 2; i < s->count; i++)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The text form of the IR (tool/ir/text_form.md), read back: printing what was read gives the same
- * text. */
+/** Reads the text form of the IR (tool/ir/text_form.md). Printing the result gives the same text.
+ */
 #ifndef IR_READER_IR_READ_H
 #define IR_READER_IR_READ_H
 
 #include "ir/ir_text.h"
 
-/** Reads what ir_print wrote. On bad text returns NULL and puts "line:column: what was expected"
- *  into *message (in the arena). */
+/** Reads what ir_print wrote. If the text is invalid, returns NULL and sets *message to
+ * "line:column: what was expected" (in the arena). */
 ir_unit *ir_read(arena *a, const char *text, size_t length, const char **message);
 
 #endif

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Expressions and statements of the text form. */
+/* Reads expressions and statements of the text form. */
 #include <ctype.h>
 #include <string.h>
 
 #include "ir/ir_words.h"
 #include "ir_reader/ir_reader.h"
 
-/* ---- what stands behind the first word ----------------------------------------------------- */
+/* ---- operands after the first word ----------------------------------------------------------- */
 
-/* The items of a node's list that are no children: read from the left. */
+/* The items of a node's list that are no children, read from the left. */
 typedef struct operands {
     const sexp *list;
     unsigned next;
@@ -65,10 +65,11 @@ static ir_storage declarator_storage(const sexp *list) {
     return IR_LOCAL;
 }
 
-/* Stands for "as the declarator's" until that is known. */
+/* Stands for the declarator's range until that is known. */
 static const ir_range range_of_node = {.begin = 1, .end = 0};
 
-/* With a type: a new variable; without: one declared before. */
+/* Reads a declarator: with a type it makes a new variable, without one it refers to a variable
+ * declared before. */
 static bool read_declarator(ir_reader *r, operands *o, ir_node *node) {
     const sexp *list = o->list;
     bool has_type =
@@ -106,7 +107,7 @@ static bool read_operands(ir_reader *r, operands *o, ir_node *node) {
         return read_function(r, o, node);
     case IR_DECLARATOR:
         return read_declarator(r, o, node);
-    case IR_MEMBER: /* the field is found when the object's type is known */
+    case IR_MEMBER: /* the field is found once the object's type is known */
         return read_text(r, o, node, "a field");
     default:
         return true;
@@ -174,7 +175,7 @@ static bool read_attributes(ir_reader *r, operands *o, ir_node *node) {
 
 /* ---- children ------------------------------------------------------------------------------ */
 
-/* A name or number standing for itself. */
+/* Reads a name or number that is a whole expression. */
 static ir_node *read_atom(ir_reader *r, const sexp *s) {
     if (isdigit((unsigned char)s->text[0])) {
         ir_node *number = ir_new(r->arena, IR_NUMBER, NULL, 0);

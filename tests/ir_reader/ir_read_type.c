@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Types of the text form: "const(ptr(array(3,double)))". */
+/* Reads types of the text form: "const(ptr(array(3,double)))". */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static ir_type *new_type(type_reader *t, ir_type_kind kind) {
     return type;
 }
 
-/* Size and spelling as they follow from the rest. */
+/* Sets the size and spelling that follow from the rest of the type. */
 static ir_type *finished(type_reader *t, ir_type *type) {
     if (type != NULL) {
         type->size = ir_type_default_size(type);

@@ -29,7 +29,8 @@ static bool is_octal(char c) {
     return c >= '0' && c <= '7';
 }
 
-/* `from` stands behind the backslash. Returns what follows the escape, or NULL. */
+/* Reads an escape; `from` points after the backslash. Returns the position after the escape, or
+ * NULL. */
 static const char *unescape(buffer *out, const char *from, const char *end) {
     if (from == end)
         return NULL;
@@ -123,7 +124,7 @@ static sexp *read_string(reader *r) {
     return s;
 }
 
-/* Where the atom at `p` ends; NULL where a quote or a parenthesis in it does not. */
+/* Returns the end of the atom at `p`, or NULL if a quote or a parenthesis in it does not end. */
 static const char *atom_end(reader *r, const char *p) {
     unsigned depth = 0;
     while (p < r->end) {
@@ -153,7 +154,8 @@ static sexp *read_atom(reader *r) {
     return s;
 }
 
-/* The next atom, string or empty list whose items are still to come; NULL: message is set. */
+/* Reads the next atom, string, or list whose items are still to be read. Returns NULL if it fails
+ * and has set the message. */
 static sexp *read_token(reader *r) {
     if (*r->at == '(') {
         sexp *list = new_sexp(r, SEXP_LIST);

@@ -14,27 +14,27 @@ typedef enum sexp_kind { SEXP_ATOM, SEXP_STRING, SEXP_LIST } sexp_kind;
 typedef struct sexp sexp;
 struct sexp {
     sexp_kind kind;
-    unsigned line, column; /* from 1; column in bytes */
-    const char *text;      /* atoms; strings without quotes and escapes */
-    unsigned count;        /* lists */
+    unsigned line, column; /* line and column from 1; the column counts bytes */
+    const char *text;      /* an atom's text, or a string's contents after escapes */
+    unsigned count;        /* number of a list's items */
     sexp **items;
 };
 
-/** Lists may not be deeper. */
+/** The greatest permitted depth of lists. */
 enum { SEXP_DEPTH = 4000 };
 
 /**
- * Reads one expression, of which nothing but blanks may follow. A parenthesis inside an atom
- * belongs to it until it closes: "ptr(array(3,double))" is one atom. On bad text returns NULL and
- * puts "line:column: what was expected" into *message (in the arena).
+ * Reads one expression, after which only blanks may follow. A parenthesis inside an atom is part of
+ * the atom, up to its closing parenthesis: "ptr(array(3,double))" is one atom. If the text is
+ * invalid, returns NULL and sets *message to "line:column: what was expected" (in the arena).
  */
 sexp *sexp_read(arena *a, const char *text, size_t length, const char **message);
 
-/** "line:column: " and what was expected. */
+/** Returns "line:column: " and what was expected. */
 const char *sexp_expected(arena *a, const sexp *at, const char *what);
 
-/** Reads a quoted text; `from` stands on the quote. Returns what follows the closing quote, or NULL
- *  where it is missing before `end` or an escape is unknown. */
+/** Reads a quoted text; `from` points to the opening quote. Returns the position after the closing
+ * quote, or NULL if there is none before `end` or an escape is unknown. */
 const char *sexp_unquote(buffer *out, const char *from, const char *end);
 
 #endif

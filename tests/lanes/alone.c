@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One thread: enough executions for auto to pay for a plan, and their results. */
+/* One thread: enough executions for auto to construct a plan, and their results. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each construct with a vector form, in a separate loop, and constructs without one; on random data
- * with NaN, infinities, zeros of both signs and subnormals. */
+/* Each construct with a vector form in a separate loop, and constructs without one. The data are
+ * random, with NaN, infinities, zeros of both signs and subnormals. */
 #include "data.h"
 
 static double scale[COUNT], block[NODES][3][3];
@@ -176,9 +176,9 @@ static void lifted_condition_around_updates(int n, const struct element *restric
     }
 }
 
-/* ---- what only some iterations do ---- */
+/* ---- statements that only some iterations execute ---- */
 
-/* Below some conditions rows lie far outside in the other iterations. */
+/* Under some conditions the rows of the other iterations would be far outside. */
 
 static void lifted_varying_condition(int n, const struct element *restrict e,
                                      const double (*restrict p)[3], double *restrict b) {
@@ -350,7 +350,7 @@ static void lifted_functions(int n, const struct element *restrict e, const doub
     }
 }
 
-/* The caller's variable keeps its value. */
+/* The function changes its parameter; the caller's variable keeps its value. */
 static double wound(int times, double value) {
     times %= 3;
     times += 1;
@@ -379,7 +379,8 @@ static void lifted_read_again_below(int n, const struct element *restrict e,
     }
 }
 
-/* Calls that vectors have no form for; errno is as the last one that fails leaves it. */
+/* Calls without a vector form, which are made lane by lane. errno must have the value that the last
+ * failing call sets. */
 static void lifted_calls_by_lane(int n, const struct element *restrict e,
                                  const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -404,7 +405,7 @@ static void lifted_one_failing_call(int n, const struct element *restrict e,
     }
 }
 
-/* Where it is not made, the call would fail. */
+/* In iterations that do not make the call, it would fail. */
 static void lifted_calls_of_some(int n, const struct element *restrict e,
                                  const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -439,7 +440,8 @@ static void plain_calls_that_fail_in_two_ways(int n, const struct element *restr
     }
 }
 
-/* C converts one to the other's type before to a double: of 3u and -1 that would matter. */
+/* C converts one operand to the other's type before the result becomes a double: with 3u and -1
+ * this matters. */
 static void plain_choice_of_two_types(int n, const struct element *restrict e,
                                       const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -594,8 +596,8 @@ static void lifted_computed_between_updates(int n, const struct element *restric
     }
 }
 
-/* Loops that do not go alike, are left and gone on with; a function; an array of the updates' own.
- */
+/* Loops with different trip counts, with break and continue; a function; an array that only the
+ * updates use. */
 static void lifted_searches_between_updates(int n, const struct element *restrict e,
                                             const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -616,7 +618,7 @@ static void lifted_searches_between_updates(int n, const struct element *restric
     }
 }
 
-/* Changes made in update statements concern neither the next iteration nor the computations of all
+/* Changes made in update statements affect neither the next iteration nor the computations of all
  * lanes. */
 static void lifted_changed_beside_updates(int n, const struct element *restrict e,
                                           const double (*restrict p)[3], double *restrict b) {
@@ -656,7 +658,7 @@ int main(void) {
     begin(&block[0][0][0], sizeof block / sizeof(double));                                         \
     begin(single, NODES);                                                                          \
     call;                                                                                          \
-    printf("%m: "); /* errno, without reading it in this file */                                   \
+    printf("%m: "); /* prints errno, without reading it in this file */                            \
     print(#call, (const double *)array, sizeof array / sizeof(double))
         for (int n = COUNT - round * 500; n >= 0; n -= 1201) {
             EACH(lifted_arithmetic(n, element, P, force), force);

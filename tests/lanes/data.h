@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Shared data of the programs in this folder: random elements and points, with NaN, infinities,
+/* Data shared by the programs in this folder: random elements and points, with NaN, infinities,
  * zeros of both signs and subnormals, and hashes of results. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Enough iterations for a trial to slice them (execute/variant.h). */
+/* Enough iterations for a trial to divide them into slices (execute/variant.h). */
 enum { NODES = 300, COUNT = 2503 };
 
 struct element {
@@ -37,13 +37,13 @@ static void print(const char *name, const double *v, size_t count) {
     for (size_t i = 0; i < count; i++) {
         uint64_t bits;
         memcpy(&bits, &v[i], sizeof bits);
-        bits = v[i] != v[i] ? 1 : bits; /* which NaN it is no standard says */
+        bits = v[i] != v[i] ? 1 : bits; /* no standard says which NaN results */
         hash = (hash ^ bits) * 0x100000001b3u;
     }
     printf("%s %016llx\n", name, (unsigned long long)hash);
 }
 
-/* -0.0 is the only value that any other leaves as it is. */
+/* Fills in -0.0, which is the only neutral element of addition for all values. */
 static void begin(double *v, size_t count) {
     for (size_t i = 0; i < count; i++)
         v[i] = -0.0;

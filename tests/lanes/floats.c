@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Floats in code for vectors, alone and mixed with doubles, one construct a loop. The data are
- * random and hold NaN, infinities, zeros of both signs and subnormal floats. */
+/* Floats in vector code, alone and mixed with doubles, one construct per loop. The data are random,
+ * with NaN, infinities, zeros of both signs and subnormal floats. */
 #include "data.h"
 
 static float p[NODES][3], small[COUNT], forces[NODES][3], singles[NODES];
@@ -35,7 +35,7 @@ static void lifted_floats_read(int n, elements e, const float *restrict s, const
     }
 }
 
-/* A double result is rounded to a float once, a float computation at each step. */
+/* A double result is rounded to float once; a float computation is rounded at each step. */
 static void lifted_roundings(int n, elements e, points q, const double (*restrict o)[3],
                              float *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -70,7 +70,7 @@ static void lifted_compound(int n, elements e, points q, const double (*restrict
     }
 }
 
-/* By way of a double some would be rounded twice. */
+/* If converted through double, some integers would be rounded twice. */
 static void lifted_of_integers(int n, elements e, const long long *restrict many,
                                const float *restrict s, float *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -109,7 +109,7 @@ static void lifted_declared_before(int n, elements e, points q, float (*restrict
 
 /* ---- conditions ---- */
 
-/* 0.1f is more than 0.1. */
+/* 0.1f is greater than 0.1. */
 static void lifted_choices(int n, elements e, points q, const double (*restrict o)[3],
                            const float most, float *restrict a, double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -135,7 +135,7 @@ static void lifted_kept_choices(int n, elements e, points q, const double (*rest
     }
 }
 
-/* Below some conditions rows lie far outside in the other iterations. */
+/* Under some conditions the rows of the other iterations would be far outside. */
 static void lifted_below_conditions(int n, elements e, points q, const double (*restrict o)[3],
                                     float *restrict a, double *restrict b) {
     for (int t = 0; t < n; t++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* C89, for check-quiet: vectors, masks, gathers, and loops inside that clang does not unroll as
- * asked. */
+/* C89, for check-quiet: vectors, masks, gathers, and inner loops that clang does not unroll
+ * although a pragma requests it. */
 struct node {
     double at[3];
     int kind;

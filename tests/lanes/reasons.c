@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each reason why a loop has no form for several iterations at once (tool/plan/lane_reasons.def).
- * A comment "lanes: SLUG" marks the line that is named; "lanes: written" marks a loop that has the
- * form. */
+/* Each reason why a loop has no form for several iterations at once (tool/plan/lane_reasons.def). A
+ * comment "lanes: SLUG" marks the line that the message names; "lanes: written" marks a loop with
+ * this form. */
 #include <math.h>
 #include <stdint.h>
 
@@ -33,7 +33,8 @@ double leaves_a_sum(int n, elements e, points p, double *restrict b) {
     return sum;
 }
 
-/* An inner iteration that a thread skips may set errno: one of the threads executes all of them. */
+/* An inner iteration that a thread skips may set errno, so one thread executes all inner
+ * iterations. */
 void sets_errno_in_what_is_skipped(int n, const int (*near)[4], const double *w, points p,
                                    double *restrict b) {
     for (int t = 0; t < n; t++) { /* lanes: other-values */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* redcc_lanes_sqrt and redcc_any, if the processor has such vectors, against the library's sqrt:
- * bits, and errno if a lane is negative. Nothing here is translated; prints the width. */
+/* If the processor has such vectors, redcc_lanes_sqrt and redcc_any are compared with the library's
+ * sqrt: the bits, and errno if a lane is negative. Nothing here is translated. Prints the vector
+ * width. */
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>
@@ -41,7 +42,7 @@ static int check(int width, const double *from, const double *to, int error) {
 }
 
 #if REDCC_WIDTH
-/* All values go through each lane; then each lane gets a negative one. */
+/* All values pass through each lane; then each lane gets a negative one. */
 static REDCC_TARGET __attribute__((__noinline__)) int check_all(void) {
     enum { w = REDCC_WIDTH };
     int wrong = 0;

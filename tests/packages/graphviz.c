@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What sfdp does to a graph, without the reading and drawing: Graphviz's sparse matrices,
-// clusterings, coarsening and a layout, on a mesh with random chords. Prints what each part
-// computed.
+// Graphviz's layout program sfdp without input and drawing: its sparse matrices, clusterings,
+// coarsening and a layout, on a mesh with random chords. Prints the result of each part.
 //   graphviz SIDE   the mesh has SIDE * SIDE nodes
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops, and what tool/plan decides about them: see plan_test.c. */
-/* The decision is on the line of the loop. */
+/* Loops, and the decisions of tool/plan about them (see plan_test.c). */
+/* The PLAN comment on a loop's line lists the decisions. */
 /* clang-format off */
 
 #include <math.h>
@@ -11,7 +11,7 @@ struct vector {
     double x, y, z;
 };
 
-/* Each row has a separate record; one adds and one subtracts. */
+/* Each of the two rows has its own record, since one update adds and the other subtracts. */
 void springs(int n, const int (*edge)[2], const double (*restrict x)[3], double k,
              double (*restrict b)[3]) {
     for (int t = 0; t < n; t++) { // PLAN: bins: 2 records of 1 values, 2 tags in 1 streams; prefetch: 16 if light; gathers: 2; lanes: yes
@@ -24,7 +24,7 @@ void springs(int n, const int (*edge)[2], const double (*restrict x)[3], double 
     }
 }
 
-/* Three elements side by side are one row. */
+/* Three adjacent elements form one row. */
 void vectors(int n, const int *restrict s, const double *restrict w, struct vector *restrict f) {
     for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 3 values, 1 tags in 1 streams; no prefetch: an iteration is too short
         f[s[t]].x += w[t];
@@ -33,7 +33,7 @@ void vectors(int n, const int *restrict s, const double *restrict w, struct vect
     }
 }
 
-/* Updates that differ in their operands alone have one tag; another operator has another. */
+/* Updates that differ only in their operands share a tag; another operator has another tag. */
 void tags(int n, const int *restrict s, const int *restrict r, const double *restrict w,
           double *restrict h) {
     for (int t = 0; t < n; t++) { // PLAN: bins: 2 records of 1 values, 1 tags in 1 streams
@@ -46,14 +46,14 @@ void tags(int n, const int *restrict s, const int *restrict r, const double *res
     }
 }
 
-/* An unverified value of w may let the body read s behind its end. */
+/* With an unverified value of w the body may read s beyond its end. */
 void decided(int n, const int *restrict s, const double *w, double *h) {
     for (int t = 0; t < n; t++) // PLAN: no bins: its body may fail with values that are not verified
         if (w[t] > 0)
             h[s[t]] += w[t];
 }
 
-/* Or repeat endlessly; and the other sum keeps its operand. Its reads are compared before. */
+/* With an unverified value the while loop may not end, so reads are compared with updates before the body. */
 void repeated(int n, const int *restrict s, const double *w, double *h) {
     for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared before
         double d = w[t];
@@ -63,8 +63,8 @@ void repeated(int n, const int *restrict s, const double *w, double *h) {
     }
 }
 
-/* A counter that may never reach the bound: it has not all values of the bound's type, or is
- * compared as another type. */
+/* The inner counter may never reach the bound: its type has not all values of the bound's type, or
+ * the comparison converts it. */
 void never_reached(int n, long m, unsigned u, unsigned long lu, double x, const int *restrict s,
                    const double *w, double *h) {
     for (int t = 0; t < n; t++) { // PLAN: compared before
@@ -159,20 +159,20 @@ double summed(int n, const int *restrict s, const double *w, double *h) {
     return sum;
 }
 
-/* Without a sum it is compared afterwards. */
+/* Without a sum the reads are compared after the bodies. */
 void unsummed(int n, const int *restrict s, const double *w, double *h) {
     for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared after
         h[s[t]] += w[t];
 }
 
-/* The same, with w disjoint from h. */
+/* The loop of `decided`, with w disjoint from h. */
 void decided_apart(int n, const int *restrict s, const double *restrict w, double *restrict h) {
     for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; precheck: none
         if (w[t] > 0)
             h[s[t]] += w[t];
 }
 
-/* k[t] may be no subscript of map until an iteration before has made it one. */
+/* k[t] may be out of bounds of map until an earlier iteration has changed it. */
 void made_valid(int n, const int *map, const int *k, int *g) {
     for (int t = 0; t < n; t++) // PLAN: precheck: updates
         g[map[k[t]]] += 1;
@@ -183,7 +183,7 @@ void not_made_valid(int n, const int *restrict map, const int *restrict k, int *
         g[map[k[t]]] += 1;
 }
 
-/* Much work behind the row's name. */
+/* Most work follows the subscript, so a thread that owns neither row can skip it. */
 void neighbours(int n, const int *restrict begin, const int *restrict list,
                 const double *restrict x, double *restrict f) {
     for (int i = 0; i < n; i++) // PLAN: no prefetch: its subscripts are computed in a loop of unknown length; skip: 2 rows
@@ -195,7 +195,7 @@ void neighbours(int n, const int *restrict begin, const int *restrict list,
         }
 }
 
-/* Nothing is computed before the row is known. */
+/* Once the row is known, no work remains that a thread could skip. */
 void light_neighbours(int n, const int *restrict begin, const int *restrict list,
                       const double *restrict x, double *restrict f) {
     for (int i = 0; i < n; i++) // PLAN: no skip: the rows that an inner iteration updates are not known before its work
@@ -203,7 +203,7 @@ void light_neighbours(int n, const int *restrict begin, const int *restrict list
             f[list[k]] += x[i];
 }
 
-/* A sum that is read for something else than an update. */
+/* The inner sum is also read by a statement that is no update. */
 void sums(int n, const int *restrict begin, const int *restrict list, const double *restrict x,
           double *restrict f) {
     for (int i = 0; i < n; i++) { // PLAN: no skip: a sum that an inner iteration adds to is read other than by an update
@@ -225,7 +225,7 @@ void pointers(const int *begin, const int *end, double *restrict h) {
         h[*p] += 1;
 }
 
-/* The body exists twice: a static variable cannot. */
+/* The generated code contains the body twice, but a static variable must not exist twice. */
 void statics(int n, const int *restrict s, double *restrict h) {
     for (int t = 0; t < n; t++) { // PLAN: obstacle: its body declares 'table' static
         static int table[2] = {1, 2};
@@ -233,7 +233,7 @@ void statics(int n, const int *restrict s, double *restrict h) {
     }
 }
 
-/* The key: the trip count, the row's base, and the subscripts' array. */
+/* The plan's key consists of the trip count, the row's base and the subscript array. */
 struct system {
     double *b;
 };
@@ -243,7 +243,7 @@ void keys(int n, const int *restrict s, struct system *restrict m) {
         m->b[s[t]] += 1;
 }
 
-/* Rows behind pointers: the operands of an inner loop are read when its record is applied. */
+/* Rows behind pointers: one record stands for an inner loop and reads its operands when it is applied. */
 void rows(int n, int m, const int *restrict s, double **restrict row, double *const *restrict x,
           const double *restrict w) {
     for (int t = 0; t < n; t++) { // PLAN: span of 2 variables; bins: 1 records of 0 values, 1 tags in 1 streams
@@ -253,7 +253,7 @@ void rows(int n, int m, const int *restrict s, double **restrict row, double *co
     }
 }
 
-/* One thread must execute each inner iteration that others may skip, because of errno: no span. */
+/* Since exp may set errno, one thread must execute each inner iteration that others may skip: no span. */
 void led(int n, const int *restrict c, const int *restrict s, const int (*restrict list)[8],
          const double *restrict x, double *restrict w, double (*restrict h)[4]) {
     for (int t = 0; t < n; t++) { // PLAN: skip: 1 rows; bins: 2 records of 2 values, 2 tags in 2 streams
@@ -272,7 +272,7 @@ void led(int n, const int *restrict c, const int *restrict s, const int (*restri
 double half(double x);
 #pragma redcc pure(half)
 
-/* Not if that could give other values: a call, two updates, an own element, a counter used below. */
+/* No span if later execution could give other values: a call, two updates, an own element, a counter used later. */
 void not_later(int n, int m, const int *restrict s, double **restrict row, double *restrict own,
                const double *restrict w, int *restrict last) {
     for (int t = 0; t < n; t++) // PLAN: no span
@@ -304,7 +304,7 @@ void not_later(int n, int m, const int *restrict s, double **restrict row, doubl
     }
 }
 
-/* Rows that a sample records at once; not if each is found by a table, or their block by a search. */
+/* A sample records the rows of a block at once, unless a table gives each row or a search gives the block. */
 void blocks(int n, int m, const int *restrict at, const int *restrict list, const double *restrict w,
             double *restrict h) {
     for (int t = 0; t < n; t++) // PLAN: over blocks

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Plans of loops, without text: plan_test FILE... A comment `PLAN: clause; clause` on the line of a
- * loop names clauses that the description of its plan must have; each loop that can run in parallel
- * must have such a comment. */
+/* Tests plans of loops without generating text. Usage: plan_test FILE... A comment `PLAN: clause;
+ * clause` on a loop's line names clauses that the plan's description must contain. Each loop that
+ * can run in parallel must have such a comment. */
 #include <stdio.h>
 #include <string.h>
 
@@ -61,7 +61,7 @@ static const char *describe(arena *a, const loop_plan *plan) {
     return text;
 }
 
-/** The clauses on the loop's line; NULL: there are none. */
+/* Returns the clauses of the PLAN comment on the loop's line, or NULL if the line has none. */
 static const char *expected_at(arena *a, const source *s, uint32_t offset) {
     static const char word[] = "PLAN: ";
     const char *const line_end = strchr(s->text + offset, '\n');

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions that return an address, and do or may do something else. */
-// covers: row 92
+/* Functions that return an element's address but have, or may have, other effects. */
+// covers: row 92 of docs/constructs.md
 #include <stddef.h>
 
 static double *field;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The address of an array as a whole points to an array; its replacement in the parallel form is a pointer to its elements.
+// &h has the type pointer to array. In the parallel form `h` would be a pointer to elements, and &h another type.
 enum { N = 4000 };
 static double h[N], rows[40][100];
 struct holder {

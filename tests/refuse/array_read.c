@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The array is read, or stored to, in the loop that accumulates into it.
-// covers: row 25, row 28, row 45, row 44, row 36
+// The loop reads or stores elements of the array that it also updates.
+// covers: row 25, row 28, row 45, row 44, row 36 of docs/constructs.md
 struct particle {
     double x, fx;
 };
 
-/* NPB CG: tested after the update. */
+/* As in CG of the NAS Parallel Benchmarks: the element is tested after its update. */
 void tested(int n, const int *k, double *h, int *marks) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         h[k[t]] += 1.0;
@@ -60,7 +60,7 @@ void bytes_of_it(int n, const int *k, double *h) {
         h[k[t]] += bytes[t];
 }
 
-/* Members beside the updated one may be read (accept/binned_members.c), but not the updated one of another record, */
+/* Other members may be read (accept/binned_members.c), but not the updated member of another record. */
 struct pulled {
     double at[2], pull[2];
 };
@@ -73,7 +73,7 @@ void other_record(int n, struct pulled *b, double reach) {
             }
 }
 
-/* nor the whole of it. */
+/* A whole record contains the updated member. */
 void whole_pulled(int n, struct pulled *restrict b, const int *k) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         const struct pulled one = b[k[t + 1]];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Attributes and builtins that make a statement do more than it says.
-// covers: row 57, row 61, row 62, row 63
+// Attributes and builtins that give a statement effects beyond those of its text.
+// covers: row 57, row 61, row 62, row 63 of docs/constructs.md
 void atomic_elsewhere(int n, const int *k, int *h, int *total) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         h[k[t]] += 1;

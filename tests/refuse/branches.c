@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Directives in a loop's text that must not be repeated in a second copy, or that start or end the
-// loop in the middle of a conditional group.
-// covers: row 3
+// Directives within a loop that must not occur in a second copy, or conditional groups that begin
+// or end inside the loop.
+// covers: row 3 of docs/constructs.md
 #define TABLE_OF(t) k[t]
 #define UNIQUE __COUNTER__
 
@@ -59,7 +59,7 @@ void ends_in_a_branch(int n, const int *k, double *h) {
 #endif
 }
 
-/* It is compiled, and may apply to the loop. */
+/* HINT is in the branch that is compiled, and it may apply to the loop. */
 #define HINT
 void hint_in_a_branch(int n, const int *k, double *h) {
     h[0] = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that are given an element's address, and do more than update it, or elsewhere.
-// covers: row 18, row 87
+// Functions that get an element's address, and do more than update it or update another element.
+// covers: row 18, row 87 of docs/constructs.md
 struct cell {
     double low, high;
     double row[3];
@@ -185,7 +185,7 @@ void moved_pointer(int n, const int *k, double *h) {
         moved(&h[k[t]], 1.0);
 }
 
-/* ---- structs whose address the function gets ---- */
+/* ---- a function gets the address of a struct that holds the array ---- */
 
 typedef struct matrix {
     int columns;

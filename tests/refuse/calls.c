@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Calls that do more than compute.
-// covers: row 14, row 15, row 16, row 17, row 18, row 19, row 57
+// Calls of functions that do more than compute a value.
+// covers: row 14, row 15, row 16, row 17, row 18, row 19, row 57 of docs/constructs.md
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>

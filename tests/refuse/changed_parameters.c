@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes after which the subscripts of accept/changed_parameters.c are no longer known.
+// Each loop differs from one of accept/changed_parameters.c in one point, which makes its subscripts unknown.
 
 static int next(int at) {
     while (at > 9)
@@ -7,7 +7,7 @@ static int next(int at) {
     return at;
 }
 
-/* In a loop: another turn's value. */
+/* The parameter changes in a loop: a later turn reads with the value of an earlier one. */
 static float in_loop(const float *table, int at) {
     float sum = 0;
     for (int a = 0; a < 3; a++) {
@@ -22,7 +22,7 @@ void by_loops(int n, const int *s, const int *k, const float *table, float *b) {
         b[s[t]] += in_loop(table, k[t]);
 }
 
-/* A local variable has the value that the turn before gave it. */
+/* The subscript is the value that the previous turn gave the local variable. */
 static float carried(const float *table, const int *list) {
     float sum = 0;
     int at = 0;
@@ -38,7 +38,7 @@ void by_turns(int n, const int *s, const int (*k)[3], const float *table, float 
         b[s[t]] += carried(table, k[t]);
 }
 
-/* A jump passes by the change. */
+/* A jump skips the change. */
 static float passed_by(const float *table, int at, int which) {
     switch (which) {
         at = 3;
@@ -54,7 +54,7 @@ void by_cases(int n, const int *s, const int *k, const float *table, float *b) {
         b[s[t]] += passed_by(table, k[t], t);
 }
 
-/* A jump into the branch passes by it, too. */
+/* A jump into the branch skips the change. */
 static float into_branch(const float *table, int at, int which) {
     switch (which) {
     default:
@@ -85,7 +85,7 @@ void by_labels(int n, const int *s, const int *k, const float *table, float *b) 
         b[s[t]] += again(table, k[t]);
 }
 
-/* By its address; by a function whose value is not known. */
+/* The parameter changes through its address, or to the result of a function with a loop. */
 static float by_address(const float *table, int at) {
     int *const to = &at;
     at += 1;
@@ -108,7 +108,7 @@ void by_calls(int n, const int *s, const int *k, const float *table, float *b) {
         b[s[t]] += by_call(table, k[t]);
 }
 
-/* In parts of expressions. */
+/* The change is part of a larger expression. */
 static float in_parts(const float *table, int at) {
     if (at++ > 3)
         return 0;
@@ -132,7 +132,7 @@ void by_sums(int n, const int *s, const int *k, const float *table, float *b) {
         b[s[t]] += in_sum(table, k[t]);
 }
 
-/* The table moves. */
+/* The pointer to the table changes. */
 static float by_pointer(const float *table, int at) {
     if (at > 4)
         table += 2;
@@ -144,7 +144,7 @@ void by_pointers(int n, const int *s, const int *k, const float *table, float *b
         b[s[t]] += by_pointer(table, k[t]);
 }
 
-/* A value set in one branch alone. */
+/* A value that only some branches set. */
 static float in_one(const float *table, const int *list, int at) {
     int to;
     if (at > 4)

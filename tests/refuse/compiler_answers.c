@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A compiler's answer to __has_builtin decides the type.
+// A type depends on __has_builtin, whose result differs between compilers.
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_assume)
 typedef float element;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// One loop for clang, which parses, and another for gcc, which may compile.
+// redcc parses with clang, which sees another loop here than gcc, which may compile the output.
 #include <stdlib.h>
 #ifdef __clang__
 #define VALUE(t) e[t]

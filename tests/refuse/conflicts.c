@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the loops of accept/conflicts.c depend on their order, dense nests,
-// and loops whose iterations do not meet.
-// covers: row 95
+// Loops that differ from those of accept/conflicts.c in one point and depend on their order, dense
+// nests, and loops whose iterations update disjoint elements.
+// covers: row 95 of docs/constructs.md
 enum { N = 4000, ROOM = 8 };
 typedef struct atom {
     double f[3], q;
@@ -14,7 +14,7 @@ struct bond {
 extern int s[N], count[N];
 extern double e[N], h[N], force[N], r[N];
 
-/* ---- pointers that are loaded ---- */
+/* ---- loaded pointers ---- */
 
 void same_end_is_read(int n, const struct bond *bond) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
@@ -158,7 +158,7 @@ void by_local_row(int n, int m, const double *a, double *restrict y) {
     }
 }
 
-/* ---- no two iterations meet ---- */
+/* ---- no two iterations update the same element ---- */
 
 void own_rows(int n, int m, const double *x, double *restrict y) {
     for (int i = 0; i < n; i++) // EXPECT: nothing

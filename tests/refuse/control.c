@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops whose iterations are not counted before they begin, or that are left early.
-// covers: row 4, row 5, row 7, row 8, row 10
+// Loops whose trip count is unknown before they begin, or that end early.
+// covers: row 4, row 5, row 7, row 8, row 10 of docs/constructs.md
 #include <float.h>
 #include <limits.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Sums of the counter in the header that do not end where the counter would: they may wrap around,
- * be converted, or be none of the counter and a constant. */
-// covers: row 8
-// covers: row 10
+/* The header compares a sum of the counter, but the trip count does not follow from it. The sum may
+ * wrap around or be converted, or it does not add a constant to the counter. */
+// covers: row 8 of docs/constructs.md
+// covers: row 10 of docs/constructs.md
 #include <stddef.h>
 
 void longer_steps(size_t n, const int *s, double *h) {

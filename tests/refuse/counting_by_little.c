@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops whose iterations could be counted if one thing were a little different. */
+/* Loops that differ in one point from loops whose trip count could be computed. */
 #include <stddef.h>
 
 void keep(int *p);

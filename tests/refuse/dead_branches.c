@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Branches that may be executed after all: the function's results differ, another definition may take its place, the variable
-// changes between, a jump leads past its assignment, a type cannot hold the constant.
-// covers: row 98
+// Branches that may be executed: the function's result varies, another definition may replace the function, the
+// variable changes in between, a jump skips its assignment, or its type cannot hold the constant.
+// covers: row 98 of docs/constructs.md
 
 #include <stdio.h>
 #include <stdlib.h>

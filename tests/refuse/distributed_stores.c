@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Stores with a read of the same array that cannot be made after all iterations, or that need more than that. */
-// covers: row 93
+/* Each iteration reads from and stores to one array, and the stores cannot be made after all iterations. */
+// covers: row 93 of docs/constructs.md
 static double *shared, one[1000];
 static _Thread_local double own[1000];
 static volatile double moving[1000];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the conditions of accept/do_loops.c do not say how many iterations
-// there are, or may not be asked before the first of them.
-// covers: row 91
+// Loops that differ in one point from those of accept/do_loops.c: their conditions do not give the
+// trip count, or must not be evaluated before the first iteration.
+// covers: row 91 of docs/constructs.md
 #include <stddef.h>
 
 enum { N = 4000 };
@@ -111,7 +111,7 @@ void pointer_behind_its_end(const int *p, const int *end) {
     } while (p++ < end);
 }
 
-/* The condition after an iteration may be undefined before: m may be updated, and 0 until then. */
+/* The condition may be undefined before the first iteration: c may overlap d, and d[0] may be 0 until it is updated. */
 void divides(int *c, const int *d, int n) {
     int i = 0;
     do { // EXPECT: refuse trip-count
@@ -152,7 +152,7 @@ void calls(int n) {
     } while (--n > count());
 }
 
-/* The loop's text depends on a directive that is partly in it, or on a macro. */
+/* A directive within the loop, or a macro, determines the loop's text. */
 void ends_in_a_branch(int n) {
     do { // EXPECT: refuse directive-in-range
         h[s[n]] += e[n];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that leave the loop in ways that cannot be found before: by updated data, by a condition with effects, by a sum. The
-// same of messages; and messages that always come, or are one of two branches.
+// Iterations that leave the loop, where the condition cannot be evaluated in advance: it depends on updated data, has
+// side effects or depends on a sum. Also: messages under such conditions, in every iteration, or in both branches.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -96,7 +96,7 @@ void in_a_switch(int n, const int *k, double *h, const double *v) {
         }
 }
 
-/* The pointer is read only where the first iteration does not leave, and a restrict one is not loaded ahead. */
+/* The pointer exists only if the first iteration does not leave. A restrict pointer is not loaded in advance. */
 struct system { double *restrict h; };
 void before_a_pointer(int n, const int *k, const struct system *s, const double *v, int skip) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse base-conditional

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* With -ffast-math two copies of a text may be rounded otherwise, and so may one where more or
- * fewer calls are inlined: no loop of a file with floating-point arithmetic is translated. */
-// covers: row 33
+/* With -ffast-math two copies of a text may round differently, even one text whose calls are
+ * inlined differently. So redcc refuses all loops of a file with floating-point arithmetic. */
+// covers: row 33 of docs/constructs.md
 // FLAGS: -ffast-math
 double sum;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rounding modes and exception flags are part of the result.
-// covers: row 56
+// With FENV_ACCESS the rounding mode and the exception flags are part of the result.
+// covers: row 56 of docs/constructs.md
 #pragma STDC FENV_ACCESS ON
 
 void kernel(int n, const int *restrict s, double *restrict h, const double *e) {

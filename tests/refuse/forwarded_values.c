@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A stored value is read again, but not certainly as the stored one.
-// covers: row 31, row 59
+// An iteration stores a value and reads it again, but the value read may not be the one stored.
+// covers: row 31, row 59 of docs/constructs.md
 #include <math.h>
 
 typedef struct item {

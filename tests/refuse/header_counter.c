@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Macros by which a second copy of the loop's text counts on: defined in a header, or by an option.
+// Macros from a header or an option contain __COUNTER__: a second copy of the loop's text would change its values.
 // FLAGS: -DOF_OPTION=__COUNTER__
 #include "header_counter.h"
 

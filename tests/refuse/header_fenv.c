@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rounding modes and exception flags are part of the result, as a header of the program's own says.
-// covers: row 56
+// A header of the program sets FENV_ACCESS: the rounding mode and the exception flags are part of the result.
+// covers: row 56 of docs/constructs.md
 // FLAGS: -w
 #include "header_fenv.h"
 

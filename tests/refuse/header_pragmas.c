@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Pragmas in a header of the program's own: each thread of the loop would see another array,
-// another function may run than the one that is seen here. covers: row 13
+// Pragmas in a header of the program: each thread of the loop would use another array, and another
+// definition may replace a function of this file. covers: row 13 of docs/constructs.md
 // FLAGS: -w -fopenmp
 #include "header_pragmas.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes after which the variables set in the headers of accept/headers.c have other values in the copies, or carry one.
-// covers: row 94
+// Loops that differ in one point from those of accept/headers.c: header variables carry values, or copies change them.
+// covers: row 94 of docs/constructs.md
 enum { N = 4000 };
 extern int s[N];
 extern double e[N], h[N];

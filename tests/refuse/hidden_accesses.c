@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Accesses that do not look like accesses to the array.
-// covers: row 14, row 25, row 29, row 44
+// Accesses to the array that its name does not show.
+// covers: row 14, row 25, row 29, row 44 of docs/constructs.md
 #include <stdlib.h>
 #include <string.h>
 struct sys {

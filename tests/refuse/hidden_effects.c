@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Effects that stand in types, and attributes spelled in other ways.
-// covers: row 58, row 61, row 63
+// Side effects inside types, and attributes in unusual spellings.
+// covers: row 58, row 61, row 63 of docs/constructs.md
 // FLAGS: -std=gnu2x -w
 static int calls;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What an attribute, a label or a macro just outside the loop makes of it.
-// covers: row 3, row 4, row 17, row 45
+// An attribute, a label or a macro just outside the loop changes its meaning.
+// covers: row 3, row 4, row 17, row 45 of docs/constructs.md
 struct interior {
     double none[0];
     double w[100];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the loops of accept/idioms.c may no longer be translated.
-// covers: row 62, row 73, row 74, row 75, row 76, row 77, row 83, row 84
+// Loops that differ in one point from those of accept/idioms.c and must not be transformed.
+// covers: row 62, row 73, row 74, row 75, row 76, row 77, row 83, row 84 of docs/constructs.md
 #include <assert.h>
 
 enum { N = 3000 };
@@ -11,7 +11,7 @@ struct graph {
 extern int s[N], asked;
 extern double e[N];
 
-/* ---- *p is p[0] ---- */
+/* ---- *p instead of p[0] ---- */
 
 void table_changes(int n, double **out, double *other) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
@@ -97,7 +97,7 @@ void bound_that_is_rounded(const struct graph *x, double *h) {
         h[x->to[v]] += 1;
 }
 
-/* ---- a counter whose address is known elsewhere ---- */
+/* ---- a counter whose address another function has stored ---- */
 
 void report(const char *who, int *place);
 extern int *kept;
@@ -138,7 +138,7 @@ void counter_given_away_inside(int n, double *h) {
     }
 }
 
-/* ---- array and subscript separate ---- */
+/* ---- array and subscript are separate arguments ---- */
 
 static void add_both(double *to, int k, double value) {
     to[k] += value;
@@ -198,7 +198,7 @@ void subscript_with_effect(int n, double *h) {
         add_at(h, s[k++], e[t]);
 }
 
-/* ---- assert ends the program ---- */
+/* ---- a failed assertion ends the program ---- */
 
 void asserted(int n, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse no-return
@@ -207,7 +207,7 @@ void asserted(int n, double *h) {
     }
 }
 
-/* ---- statement expressions that keep an address, and say nothing of themselves ---- */
+/* ---- statement expressions that store an address, besides the assertion ---- */
 
 void address_kept(int n, double *restrict h) {
     int k;
@@ -235,7 +235,7 @@ void address_in_assembly(int n, double *restrict h) {
     }
 }
 
-/* ---- one element in addition to the others ---- */
+/* ---- an update of one fixed element in addition to the others ---- */
 
 void one_alone(int n, int *h, const int *other) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
@@ -253,7 +253,7 @@ int one_is_read(int n, int *h) {
     return h[0];
 }
 
-/* ---- constants of the body ---- */
+/* ---- static variables in the body that are not constant ---- */
 
 void not_constant(int n, double *restrict h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse text

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that stand in other files, which cannot stand in this one: two include it, it says where it
-// is, or it is part of a function. A function that nothing uses has no code.
-// covers: row 66
+// Loops in other files that cannot be copied here: two files include the file, its text depends on
+// its name, or it is a part of a function. Unused functions have no code to transform.
+// covers: row 66 of docs/constructs.md
 #include "included_function.h"
 #include "included_source.inc"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Headers whose text would mean something else in this file; and one whose loop is refused itself.
+// Headers whose text would change its meaning in this file, and a header whose loop is refused for another reason.
 #include "included_values.h"
 #include "included_counter.h"
 #include "included_open.h"

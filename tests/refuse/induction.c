@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the counters of accept/induction.c may be another number of steps
-// away than the loop's own says.
-// covers: row 79
+// Loops that differ in one point from those of accept/induction.c: the secondary counter's value
+// does not follow from the loop's counter.
+// covers: row 79 of docs/constructs.md
 enum { N = 4000 };
 extern int s[N];
 extern double e[N], h[N];
@@ -163,7 +163,7 @@ void not_counted_whole(int n, float k) {
     }
 }
 
-/* The step lies where an update may store. */
+/* The step `by` is in memory that an update may overwrite. */
 void by_address(int n, int k, int by, int **out, int *q) {
     *out = &by;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Values wanted after the loop that some iterations leave as they were, and cannot be noted.
-// covers: row 59
+// Only some iterations assign a variable used after the loop, and the last such iteration cannot be recorded.
+// covers: row 59 of docs/constructs.md
 static void set(double *d, double x) {
     *d = x;
 }
@@ -128,7 +128,7 @@ int by_the_array(int n, const int *k, double *h) {
     return i;
 }
 
-/* Carried: the maximum, and the sum of the places where there was another. */
+/* The running maximum, and a sum over the iterations that increased it, are carried between iterations. */
 int place_of_most(int n, const int *k, double *h) {
     int most = 0, place = -1;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried

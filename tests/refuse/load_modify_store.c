@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the loops of accept/load_modify_store.c may no longer be translated.
-// covers: row 82
+// Loops that differ in one point from those of accept/load_modify_store.c and must not be transformed.
+// covers: row 82 of docs/constructs.md
 
 enum { N = 4000 };
 extern int k[N], second[N];

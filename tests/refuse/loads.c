@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays behind pointers that are read only under conditions, when the pointer may differ between iterations, or is used for more
-// than its value.
+// Arrays behind pointers that are read only under conditions. The pointer may differ between iterations, or its own
+// address or bytes are used.
 #include <string.h>
 
 struct target { int n; double *h; double *volatile v; char name[8]; };
@@ -24,7 +24,7 @@ void another(int n, const int *k, struct target *t, struct target *other, const 
     }
 }
 
-/* The address of what leads there is somebody's. */
+/* Another function has stored the address of the pointer `t`. */
 void known(struct target **);
 void escaped(int n, const int *k, struct target *t, double *x, int **w) {
     known(&t);

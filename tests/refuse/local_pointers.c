@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Local pointers that may lead elsewhere, or whose element is read by another name.
-// covers: row 44, row 45, row 48
+// Local pointers that may point to another array, or whose element is read through another name.
+// covers: row 44, row 45, row 48 of docs/constructs.md
 struct cell {
     double x, sum;
     double *values;

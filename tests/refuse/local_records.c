@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Arrays in a record of the function's own that the loop reads as well, or that are no arrays. */
-// covers: row 45
-// covers: row 46
+/* Arrays in a local record that the loop also reads, or members that are no arrays. */
+// covers: row 45 of docs/constructs.md
+// covers: row 46 of docs/constructs.md
 struct table {
     double own[64], other[64];
     int n;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Calls of MPI: only the thread that began it may make them, whatever they are said to be.
-// covers: row 85
+// Calls of MPI: only the thread that initialised MPI may make them, even if an option declares the function pure.
+// covers: row 85 of docs/constructs.md
 // OPTIONS: --pure=MPI_Comm_rank
 typedef struct communicator *MPI_Comm;
 int MPI_Comm_rank(MPI_Comm, int *rank);

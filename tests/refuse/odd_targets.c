@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Updates of what has no name: parts of complex numbers, of vectors, compound literals, elements that GNU C's expressions
-// choose. They are not analysed, but their loops are reported.
+// Updates of objects without a name: parts of complex numbers or vectors, compound literals, elements selected by GNU C
+// expressions. They are not analysed, but their loops are reported.
 #include <complex.h>
 
 typedef int vector __attribute__((vector_size(16)));
@@ -30,7 +30,7 @@ void members(int n, const int *k, struct wave *w) {
         w[k[t]].v[1] |= 1;
 }
 
-/* An iteration's own parts: nobody else updates them. */
+/* The updated parts are private to the iteration. */
 void own_parts(int n, const int *k, double complex *z, vector *v) {
     for (int t = 0; t < n; t++) { // EXPECT: unlisted
         double complex here[4] = {0};

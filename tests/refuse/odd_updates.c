@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Updates, private variables and subscripts that nearly fit.
-// covers: row 24, row 33, row 31, row 59
+// Updates, private variables and subscripts that almost have an accepted form.
+// covers: row 24, row 33, row 31, row 59 of docs/constructs.md
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -184,7 +184,7 @@ void linked(int n, const int *k, double *h, int *next) {
     }
 }
 
-/* No other executor than bins computes such a subscript once; these have none. */
+/* Such a subscript must be computed only once, which only binning does, and these loops have no binned form. */
 void logarithm_of_a_forwarded_value(int n, double *restrict h, int *restrict o, const double *x) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
         o[t] = (int)(log(x[t]) * 10);
@@ -214,13 +214,13 @@ void leaving(int n, double *restrict h, const double *x) {
     }
 }
 
-/* What decides a load may be one of the updated elements. */
+/* The condition of a load may depend on an updated element. */
 void unverified(int n, double *h, const double *x, const int *map) {
     for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
         h[map[(int)log(x[t])]] += 1;
 }
 
-/* It decides the value behind the branch, and whether a loop is executed that then need not end. */
+/* The condition decides the value of `k`, or whether an inner loop runs that may not end otherwise. */
 void behind_the_branch(int n, int *h, const unsigned char *set, const int *map) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
         int k = 3;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP: threads that leave a cancelled region do not come to the barriers of its loops. */
-// covers: row 55
+/* Compiled with OpenMP: threads that leave a cancelled region do not reach the barriers of its loops. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 static double w[1000], h[1000], of_file;
 static int s[1000];

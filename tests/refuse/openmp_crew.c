@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP: `for` in a region around updates of arrays, which one thread may not execute for all. */
-// covers: row 55
+/* Compiled with OpenMP: a region's `for` loop updates arrays, and no thread may execute it for the others. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 enum { N = 1000 };
 static double w[N], h[N], q[N], of_thread[N];
@@ -9,7 +9,7 @@ static int s[N];
 int omp_get_thread_num(void);
 void other(void);
 
-/* each thread has an array of its own */
+/* each thread has its own array */
 void not_shared(int n) {
     double mine[N] = {0};
 #pragma omp for reduction(+ : mine)
@@ -22,7 +22,7 @@ void not_shared(int n) {
     q[0] += mine[0];
 }
 
-/* nothing protects them: threads add up for themselves */
+/* no atomic protects `mine`, since each thread adds to its own copy */
 void own_bins(int n) {
 #pragma omp parallel
     {
@@ -36,7 +36,7 @@ void own_bins(int n) {
     }
 }
 
-/* a thread finds again what it kept of an iteration */
+/* a thread reads again what it stored in the same iteration of an earlier loop */
 void kept(int n) {
 #pragma omp parallel
     {
@@ -51,7 +51,7 @@ void kept(int n) {
     }
 }
 
-/* it knows which iterations are its own */
+/* the thread uses which iterations it executed */
 void by_number(int n) {
 #pragma omp parallel
     {
@@ -66,7 +66,7 @@ void by_number(int n) {
     }
 }
 
-/* the copies of `many` begin with the least value */
+/* each thread's copy of `many` begins with the lowest int */
 void reduced(int n) {
     int many = 100;
 #pragma omp parallel reduction(max : many)
@@ -79,7 +79,7 @@ void reduced(int n) {
     q[0] = many;
 }
 
-/* regions that are not understood, or use nothing but what they name */
+/* regions that are not analysed, or that permit only the variables they list */
 void regions(int n) {
 #pragma omp parallel sections
     {
@@ -97,7 +97,7 @@ void regions(int n) {
     }
 }
 
-/* clauses and locks as for `parallel for` */
+/* clauses and locks as in `parallel for` */
 void clauses(int n) {
 #pragma omp parallel
     {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The function may be compiled for a device as well, which knows nothing of the runtime. */
-// covers: row 55
+/* The function may also be compiled for a device, where the runtime library does not exist. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 enum { N = 1000 };
 double h[N], w[N];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* OpenMP directives that are more than a way to be parallel: they stay, and their loops with them. */
-// covers: row 55
+/* OpenMP directives with effects beyond parallel execution: they remain, and their loops are refused. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 enum { N = 1000 };
 static double h[N], w[N], of_file;
@@ -79,7 +79,7 @@ void locks(int n) {
 #pragma omp atomic
         h[s[t]] += now;
     }
-    /* it is parallel as it is */
+    /* the existing directive makes the loop parallel */
 #pragma omp parallel for
     for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
         h[s[t]] += w[t];
@@ -111,11 +111,11 @@ void reductions(int n) {
 #pragma omp parallel for reduction(add : h)
     for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
         h[s[t]] += w[t];
-    /* each copy begins with 0, of which the product is 0 */
+    /* each private copy begins with 0, so products are 0 */
 #pragma omp parallel for reduction(+ : h)
     for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
         h[s[t]] *= w[t];
-    /* the copy's element is read */
+    /* the loop reads an element of the private copy */
 #pragma omp parallel for reduction(+ : h)
     for (int t = 0; t < n; t++) // EXPECT: nothing
         h[s[t]] += h[n];
@@ -138,7 +138,7 @@ void privates(int n) {
         of_file = w[t];
         h[s[t]] += of_file;
     }
-    /* `to` leads to the original */
+    /* `to` points to the original `kept`, not to the private copy */
 #pragma omp parallel for private(kept) reduction(+ : h)
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         kept = w[t];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP: nests of loops that one directive is about. An inner loop needs its place in the nest. */
-// covers: row 55
+/* Compiled with OpenMP: one directive applies to a nest of loops, and an inner loop must remain where it is. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 enum { N = 1000, TWO = 2 };
 static double w[N], h[N];
@@ -9,7 +9,7 @@ static int s[N], of_file;
 #define NEST _Pragma("omp parallel for collapse(2)")
 double of_another_file(int i);
 
-/* the directive stays, and needs the inner loop as it is */
+/* the directive remains and needs the inner loop in its original form */
 void inner(int n, int m, double *restrict to) {
 #pragma omp parallel for collapse(2)
     for (int i = 0; i < n; i++) // EXPECT: nothing
@@ -45,7 +45,7 @@ void inner(int n, int m, double *restrict to) {
             to[s[i] + s[j]] += w[j];
 }
 
-/* a depth that its text does not show */
+/* a depth that is no literal */
 void depths(int n) {
 #pragma omp parallel for collapse(TWO)
     for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
@@ -59,7 +59,7 @@ void depths(int n) {
             h[s[t] / 2 + s[i] / 2] += w[i];
 }
 
-/* inner counters that others may see, which would have to keep their values */
+/* inner counters that are visible elsewhere and would have to keep their values */
 void counters(int n) {
     static int of_function;
     int t, u, *const to = &u;
@@ -85,7 +85,7 @@ void counters(int n) {
             h[s[t] / 2 + s[i] / 2] += w[i];
 }
 
-/* what the loop does decides as ever */
+/* the loop's body decides, as without a directive */
 void others(int n) {
 #pragma omp parallel for collapse(2)
     for (int i = 0; i < n; i++) // EXPECT: refuse impure-call

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP, whose directives are to be kept. */
-// covers: row 55
+/* Compiled with OpenMP and an option by which directives are kept. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 // OPTIONS: --openmp=keep
 void existing_openmp(int n, const int *restrict s, double *restrict h) {
@@ -49,7 +49,7 @@ void compiled_openmp(int n, const int *k, double *h) {
         h[k[t]] += 1;
 }
 
-/* The group above is no part of the loop's text: it makes a macro. */
+/* The conditional group above the loop defines a macro, so it is no part of the loop. */
 void openmp_of_another_compilation(int n, const int *k, double *h) {
 #ifdef OTHER
 #define TWICE
@@ -77,7 +77,7 @@ void above(int n, const int *restrict k, double *restrict h) {
         h[k[t]] += 1;
 }
 
-/* The directive behind the loop is compiled, and its clause reads `last`. */
+/* The directive after the loop is compiled, and its clause reads `last`. */
 int directive_behind(int n, const int *k, double *h) {
     int last = 1, count = 0;
     for (int t = 0; t < n; t++) // EXPECT: refuse last-value

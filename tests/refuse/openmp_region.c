@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP: `for` that reduces scalars, and whose iterations may have to stay where they are. */
-// covers: row 55
+/* Compiled with OpenMP: `for` loops that reduce scalars, where each thread may have to execute its own iterations. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 static double w[1000], q[1000], of_file, of_thread, buffer[100];
 #pragma omp threadprivate(of_thread, buffer)
 int omp_get_thread_num(void);
 void other(void);
 
-/* each thread would have another sum: below `parallel` of a caller, and of the function */
+/* each thread would have its own sum, in a parallel region of the caller or through threadprivate */
 void not_shared(int n, double *to) {
     double sum = 0;
 #pragma omp for reduction(+ : sum)
@@ -19,7 +19,7 @@ void not_shared(int n, double *to) {
     *to = sum;
 }
 
-/* a thread finds again what it kept of an iteration */
+/* a thread reads again what it stored in the same iteration of an earlier loop */
 void kept(int n) {
     double sum = 0;
 #pragma omp parallel
@@ -54,7 +54,7 @@ void by_number(int n) {
     of_file = sum;
 }
 
-/* the number is known from another region */
+/* another region set `of_thread` to the thread's number */
 void by_known_number(int n) {
     double sum = 0;
 #pragma omp parallel
@@ -74,7 +74,7 @@ void orphan(int n, const double *x) {
         of_file += x[i];
 }
 
-/* a copy for each thread of its team; a region that is not understood */
+/* each thread has its own copy of the sum; a region that is not analysed */
 void regions(int n) {
     double sum = 0;
 #pragma omp parallel firstprivate(sum)

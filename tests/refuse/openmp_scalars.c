@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP: scalars that directives reduce in ways other than in blocks of iterations. */
-// covers: row 55
+/* Compiled with OpenMP: directives that reduce scalars in ways that blocks of iterations cannot reproduce. */
+// covers: row 55 of docs/constructs.md
 // FLAGS: -fopenmp
 #define SUM reduction(+ : sum)
 #define WIDTH sizeof(double)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions of the element's old value that involve more than the element.
-// covers: row 22, row 23, row 27, row 28, row 32, row 37
+// An element's new value depends on more than its old value and the iteration's operands.
+// covers: row 22, row 23, row 27, row 28, row 32, row 37 of docs/constructs.md
 #include <math.h>
 
 void of_another(int n, const int *k, double *h) {

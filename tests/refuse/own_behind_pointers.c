@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes after which the records of accept/own_behind_pointers.c are not an iteration's own.
+// Loops that differ in one point from those of accept/own_behind_pointers.c: the records are not an iteration's own.
 
 struct part {
     int cell;
@@ -12,7 +12,7 @@ struct species {
     float *grid;
 };
 
-/* The pointer moves. */
+/* The pointer to the records changes. */
 void moves(struct species *s, int n, float *to) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse element-type
         s->part[i].cell += 1;
@@ -21,7 +21,7 @@ void moves(struct species *s, int n, float *to) {
     }
 }
 
-/* What is stored may be the pointer itself. */
+/* The value stored is a pointer and may overwrite the pointer to the records. */
 void stores_pointers(struct species *s, int n, float *to) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse other-store
         s->part[i].next = s->part;
@@ -30,7 +30,7 @@ void stores_pointers(struct species *s, int n, float *to) {
     }
 }
 
-/* The structure is another one in each iteration. */
+/* The structure differs from iteration to iteration. */
 void other_structure(struct species *s, int n, float *to) {
     for (int i = 0; i < n; i++) { // EXPECT: nothing
         s->part[i].cell += 1;
@@ -39,7 +39,7 @@ void other_structure(struct species *s, int n, float *to) {
     }
 }
 
-/* Another iteration's record. */
+/* The loop reads another iteration's record. */
 void neighbour(struct species *s, int n, float *to) {
     for (int i = 1; i < n; i++) { // EXPECT: nothing
         s->part[i].cell = s->part[i - 1].cell + 1;
@@ -54,7 +54,7 @@ void half(struct species *s, int n, float *to) {
     }
 }
 
-/* A function of another file may set the pointer. */
+/* A function of another file may change the pointer. */
 void sort(struct species *s);
 void calls(struct species *s, int n, float *to) {
     for (int i = 0; i < n; i++) { // EXPECT: nothing

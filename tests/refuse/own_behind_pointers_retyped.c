@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // FLAGS: -fno-strict-aliasing
-// Where types tell nothing apart, a record's store may be to the pointer on the way to the records.
+// Without strict aliasing a store to a record may overwrite the pointer through which the records are found.
 struct part {
     int cell, other;
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// An element that is read and stored to, and is not shown to be the iteration's own.
-// covers: row 93
+// An element is read and stored to, but may not belong to this iteration alone.
+// covers: row 93 of docs/constructs.md
 struct particle {
     double x, v;
     unsigned flag : 3;
@@ -17,7 +17,7 @@ static void put(int *m, int v) {
         *m = v;
 }
 
-/* Two iterations have one element. */
+/* Two iterations may share an element. */
 void by_index(int n, const int *restrict k, int *restrict m, int *restrict c) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse index-array-written
         const int v = m[k[i]] * 5 % 1000;
@@ -40,7 +40,7 @@ void narrow(int n, int *restrict m, int *restrict c) {
     }
 }
 
-/* Another iteration reads it. */
+/* Another iteration reads the element. */
 void neighbour(int n, int *restrict m, int *restrict c) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
         m[i] = (m[i] + m[i + 1]) % 1000;
@@ -63,7 +63,7 @@ void by_another_name(int n, int *restrict m, int *restrict c) {
     }
 }
 
-/* Where that may be, and the inspector would read it. */
+/* `m` may overlap `k`, which the inspector would read before it is updated. */
 void perhaps_subscripts(int n, const int *k, int *m, int *restrict c) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
         m[i] = m[i] * 5 % 1000;
@@ -71,7 +71,7 @@ void perhaps_subscripts(int n, const int *k, int *m, int *restrict c) {
     }
 }
 
-/* The base moves, or may. */
+/* The pointer to the array changes, or may change. */
 int *shared;
 void of_a_global(int n, const int *restrict k, int *restrict c) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
@@ -80,7 +80,7 @@ void of_a_global(int n, const int *restrict k, int *restrict c) {
     }
 }
 
-/* It may not be there in other iterations. */
+/* In some iterations the element may not exist. */
 void under_a_condition(int n, const int *restrict k, int *restrict m, int *restrict c) {
     for (int i = 0; i < n; i++) // EXPECT: refuse index-array-written
         if (k[i]) {
@@ -90,7 +90,7 @@ void under_a_condition(int n, const int *restrict k, int *restrict m, int *restr
         }
 }
 
-/* Its address is known, or its bytes have other names. */
+/* The element's address is used, or its bytes are accessible through other names. */
 void by_address(int n, int *restrict m, int *restrict c) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
         c[m[i]]++;
@@ -127,7 +127,7 @@ void as_observed(int n, volatile int *restrict m, int *restrict c) {
     }
 }
 
-/* The whole record is copied. */
+/* The loop copies the whole record. */
 void as_a_record(int n, struct particle *restrict p, const int *restrict k, double *restrict h) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
         struct particle q = p[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// As own_options.c, by a pragma.
-// covers: row 33, row 56
+// As in own_options.c, but a pragma sets the options.
+// covers: row 33, row 56 of docs/constructs.md
 #pragma GCC optimize("O3")
 void by_pragma(int n, double *h, const double *x) {
     for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear

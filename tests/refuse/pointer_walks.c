@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the walks of accept/pointer_walks.c may be elsewhere than where the
-// number of iterations before says.
-// covers: row 89, row 90
+// Loops that differ in one point from those of accept/pointer_walks.c: the pointer's position does
+// not follow from the number of earlier iterations.
+// covers: row 89, row 90 of docs/constructs.md
 enum { N = 4000 };
 extern int s[N], counted[N];
 extern double e[N], h[N];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays of an iteration that some iteration may read without having written them.
-// covers: row 58, row 59, row 60
+// Arrays private to an iteration, of which an iteration may read elements that it has not written.
+// covers: row 58, row 59, row 60 of docs/constructs.md
 #include <string.h>
 
 void one_missing(int n, const int *k, double *h, const double *v) {
@@ -160,7 +160,7 @@ void static_array(int n, const int *k, double *h, const double *v) {
     }
 }
 
-/* ---- a list of neighbouring places, some of which may not be written: the bounds do not show it ---- */
+/* ---- a function fills a list of neighbours, whose bounds do not show that it writes all elements ---- */
 
 static int *keep(int *to, int value) {
     *to = value;
@@ -169,7 +169,7 @@ static int *keep(int *to, int value) {
 static void set(int *to, int value) {
     *to = value;
 }
-/* The bound falls while the loop runs. */
+/* The bound decreases while the loop runs. */
 static int around_kept(int t, int *to) {
     int x, count = 0;
     int *const bound = keep(&x, t);
@@ -189,7 +189,7 @@ static int around_two(int t, int *to) {
     return count;
 }
 
-/* Just below the largest, it ends at once. */
+/* If x + 2 wraps around, the loop ends at once. */
 static int around_unsigned(unsigned x, int *to) {
     int count = 0;
     for (unsigned i = x - 1; i < x + 2; i++)
@@ -243,7 +243,7 @@ void around(int n, const int *k, double *restrict h, const double *v) {
     }
 }
 
-/* A length's expression keeps an address, by which another iteration's value is read. */
+/* The array's length is computed by a function that stores the address of `q`. */
 int kept_by_length(int *p);
 void length_keeps(int n, const int *k, double *restrict h) {
     int q;

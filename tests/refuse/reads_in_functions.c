@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes after which the reads of the functions of accept/reads_in_functions.c are no longer known.
-// covers: row 80, row 81
+// Loops that differ in one point from those of accept/reads_in_functions.c: the functions' reads are unknown.
+// covers: row 80, row 81 of docs/constructs.md
 
-/* The element of the iteration before. */
+/* `last` is the subscript of the previous turn. */
 static double before(const double *x, const int node[4]) {
     double sum = 0;
     int last;
@@ -19,7 +19,7 @@ void of_the_turn_before(int n, const int (*node)[4], const double *x, double *b)
         b[node[e][0]] += before(x, node[e]);
 }
 
-/* Of another loop, by a counter of the same name. */
+/* `last` was set in another loop, whose counter has the same name. */
 static double after(const double *x, const int node[4]) {
     double sum = 0;
     int a, last;
@@ -35,7 +35,7 @@ void of_another_loop(int n, const int (*node)[4], const double *x, double *b) {
         b[node[e][0]] += after(x, node[e]);
 }
 
-/* The table is read where the condition holds: it may end before. */
+/* `list` is read only under the condition, so it may be shorter than `count`. */
 static double chosen(const double *x, const int *list, const double *weight, int count) {
     double sum = 0;
     for (int k = 0; k < count; k++)
@@ -50,7 +50,7 @@ void of_some_turns(int n, const int *count, const int *to, const int *list, cons
         b[to[e]] += chosen(x, list, weight, count[e]);
 }
 
-/* Nor is it read behind what ends the loop. */
+/* `list` is not read after the loop ends early. */
 static double up_to(const double *x, const int *list, int count) {
     double sum = 0;
     for (int k = 0; k < count; k++) {
@@ -115,7 +115,7 @@ struct part {
     int from, end;
 };
 
-/* The bounds exist in some iterations only. */
+/* The bounds exist only in some iterations. */
 static double of_part(const double *x, const struct part *p) {
     double sum = 0;
     if (p)
@@ -145,7 +145,7 @@ void returns_before(int n, const int *const *count, const int *to, const int *li
         b[to[e]] += returned_before(x, list, count[e]);
 }
 
-/* The updated array, by its name. */
+/* The loop's updated array is read by its name. */
 static double dot(const int *ptr, const int *col, const double *x, int i) {
     double s = 0;
     for (int k = ptr[i]; k < ptr[i + 1]; k++)
@@ -158,14 +158,14 @@ void by_its_name(int n, const int *ptr, const int *col, const int *to, double *y
         y[to[i]] += dot(ptr, col, y, i);
 }
 
-/* Under a condition of the caller's in the same statement. */
+/* The call is under a condition in the same statement. */
 void behind_a_condition(int n, const int *ptr, const int *col, const double *x, const int *to,
                         double *y) {
     for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
         y[to[i]] += i > 2 ? dot(ptr, col, x, i) : 0;
 }
 
-/* A jump leads into the loop, another to a case of it. */
+/* A jump leads into the loop, to one of its case labels. */
 static double entered(const double *x, const int *list, int count, int first) {
     double sum = 0;
     int k = first;
@@ -185,7 +185,7 @@ void into_the_loop(int n, const int *count, const int *to, const int *list, cons
         b[to[e]] += entered(x, list, count[e], 2);
 }
 
-/* It stores the next look-up's input. */
+/* The function stores to `list`, which its next read uses. */
 static void renumber(const double *x, int *list, double *out) {
     for (int k = 0; k < 4; k++) {
         list[k] = k;
@@ -198,7 +198,7 @@ void writes_its_list(int n, const int *to, int (*list)[4], const double *x, doub
         renumber(x, list[e], &b[to[e]]);
 }
 
-/* A row that some calls read only: before the loop, its pointer cannot be read. */
+/* Only some calls read the second row, so its pointer must not be read before the loop. */
 static float apart(const float *a, const float *b, int n) {
     float sum = 0;
     for (int d = 0; d < n; d++)

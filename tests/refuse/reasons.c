@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Reasons that no other case of this folder is about.
-// covers: row 8, row 34, row 44, row 56, row 61, row 62
+// Reasons for which no other file of this folder has a loop.
+// covers: row 8, row 34, row 44, row 56, row 61, row 62 of docs/constructs.md
 
 void side_effect(int n, const int *restrict s, double *restrict h, const double *e) {
     int j = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Members that are updated in some iterations only, of a record that need not exist in others: no read of it, in the loop or its
- * callees, is certain. */
-// covers: row 46
+/* Members that only some iterations update, of a record that may not exist in other iterations. No read in the loop or
+ * its callees is certain to be executed. */
+// covers: row 46 of docs/constructs.md
 struct matrix {
     int *column;
     double *restrict value;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that are called like one of the C library, or like one of this file, and are another.
-// covers: row 14, row 17
+// Functions named like one of the C library or of this file, but renamed to others by asm labels or pragmas.
+// covers: row 14, row 17 of docs/constructs.md
 // FLAGS: -w
 extern double sin(double) __asm__("counts_its_calls");
 #pragma redefine_extname cos counts_its_calls

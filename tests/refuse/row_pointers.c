@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows behind pointers in memory that the loop moves, reads, or finds in no table that stays.
-// covers: row 48, row 49
+// Rows behind pointers in memory: the loop changes or reads the pointers, or the pointers are in no fixed table.
+// covers: row 48, row 49 of docs/constructs.md
 
 typedef __SIZE_TYPE__ size_t;
 void *realloc(void *, size_t);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes after which the extrema of accept/scalar_extrema.c carry more between iterations than the compared value.
-// covers: row 88
+// Loops that differ in one point from those of accept/scalar_extrema.c: iterations carry more than the extremum.
+// covers: row 88 of docs/constructs.md
 #include <math.h>
 
 enum { N = 4000 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Values carried from one iteration to another in scalars.
-// covers: row 59, row 34, row 60, row 32
+// Scalars that carry values from one iteration to another.
+// covers: row 59, row 34, row 60, row 32 of docs/constructs.md
 void previous(int n, const int *k, double *h, const double *v) {
     double last = 0.0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
@@ -57,7 +57,7 @@ void global_scalar(int n, const int *k, double *h) {
     }
 }
 
-/* Lazily filled: the order decides the numbers. */
+/* Numbers are assigned on first use: they depend on the order of the iterations. */
 void numbered(int n, const int *k, int *number, double *h) {
     int next = 0;
     for (int t = 0; t < n; t++) { // EXPECT: nothing
@@ -88,7 +88,7 @@ static int both(int of, int *p) {
     return of / 8;
 }
 
-/* It stores the next iteration's input. */
+/* `both` stores to `p`, which the next iteration reads. */
 long filled_outside(int n, const int *k, double *restrict h) {
     long sum = 0;
     int p[1] = {0};

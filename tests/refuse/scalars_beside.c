@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Scalars accumulated beside an array whose value matters in the loop, or might.
-// covers: row 59, row 60
+// Scalars updated in addition to an array, whose values the loop uses or may use.
+// covers: row 59, row 60 of docs/constructs.md
 #include <stdbool.h>
 
 static double total;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Sums that something else may read or write, or that are not the same object in each iteration. */
-// covers: row 59
+/* Sums that other accesses may read or write, or that are another object in each iteration. */
+// covers: row 59 of docs/constructs.md
 struct moments {
     double x, y;
     int n;
@@ -38,7 +38,7 @@ double seen_by_a_call(int n, const int *restrict k, double *restrict h, const do
     return m.x;
 }
 
-/* The subscripts may be among the counts: they are read before the loop. */
+/* `count` may overlap the subscripts, which are read before the loop. */
 void perhaps_a_subscript(int n, const int *k, double *restrict h, int *count) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         h[k[i]] += 1;
@@ -46,7 +46,7 @@ void perhaps_a_subscript(int n, const int *k, double *restrict h, int *count) {
     }
 }
 
-/* What each iteration stores for itself may be it. */
+/* Each iteration's store to `to[1]` may overwrite `*sum`. */
 void perhaps_stored(int n, const int *k, double *restrict h, double *o, double *sum) {
     double own[2];
     double *to = n > 5 ? own : o;
@@ -57,7 +57,7 @@ void perhaps_stored(int n, const int *k, double *restrict h, double *o, double *
     }
 }
 
-/* Another spelling of it is read. */
+/* The sum is read under another name. */
 void certainly_read(int n, const int *k, double *restrict h, struct system *s) {
     double *const e = &s->energy;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried

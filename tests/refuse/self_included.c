@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A file that includes itself: one text is several different loops.
+// A file that includes itself: one source text stands for several loops.
 #ifndef TYPE
 #define TYPE double
 #define NAME add_double

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A function that a shared object exports may be replaced by the program's own function of that name.
+// With -fPIC the program may replace a function that the shared object exports by its own.
 // FLAGS: -fPIC
 double half(double v) {
     return v * 0.5;

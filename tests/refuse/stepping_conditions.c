@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the conditions of accept/stepping_conditions.c do not say how many
-// iterations there are.
-// covers: row 86
+// Loops that differ in one point from those of accept/stepping_conditions.c: their conditions do
+// not give the trip count.
+// covers: row 86 of docs/constructs.md
 #include <stddef.h>
 
 enum { N = 4000 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// gcc keeps these numbers with their bytes the other way round; clang passes over the attribute.
+// gcc stores this record's members in big-endian order; clang ignores the attribute.
 struct __attribute__((scalar_storage_order("big-endian"))) record {
     int count;
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Steps that are no constants, and that something may change or that count otherwise than seen. */
-// covers: row 8, row 10
+/* Variable steps that something may change during the loop, or that may have another sign or type than it seems. */
+// covers: row 8, row 10 of docs/constructs.md
 #include <stddef.h>
 
 int step_of(int);

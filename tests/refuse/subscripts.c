@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts that the loop itself makes, or that cannot be computed twice.
-// covers: row 31, row 32, row 33, row 34
+// Subscripts that the loop itself computes or changes, or that cannot be computed twice.
+// covers: row 31, row 32, row 33, row 34 of docs/constructs.md
 #include <math.h>
 
 void written_subscripts(int n, int *k, double *h) {

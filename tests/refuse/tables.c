@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements of a table that a function computes: nothing tells where they end, or what seems to. A loop that changes the
-// value, or a call of floor, keeps the subscript itself unknown.
-// covers: row 17
+// Elements of a table at subscripts that a function computes, without reliable bounds. In other cases a loop or a call
+// of floor keeps the subscript unknown.
+// covers: row 17 of docs/constructs.md
 #include <math.h>
 
 struct table { int n; unsigned m; double x0, x1, inverse, *values; float y0; };
 
-static double not_below(const struct table *t, double r) { /* of another start */
+static double not_below(const struct table *t, double r) { /* its lower bound is not the table's start */
     if (r < t->x1)
         r = t->x1;
     int i = (int)floor((r - t->x0) * t->inverse);
@@ -19,7 +19,7 @@ void other_start(int n, const int *k, const double *x, double *h, const struct t
         h[k[i]] += not_below(t, x[i]);
 }
 
-static double below(const struct table *t, double r) { /* no first entry */
+static double below(const struct table *t, double r) { /* no lower bound */
     int i = (int)floor((r - t->x0) * t->inverse);
     if (i > t->n)
         i = t->n;
@@ -30,7 +30,7 @@ void no_start(int n, const int *k, const double *x, double *h, const struct tabl
         h[k[i]] += below(t, x[i]);
 }
 
-static double beyond(const struct table *t, double r) { /* no last entry */
+static double beyond(const struct table *t, double r) { /* no upper bound */
     while (r > 1e9)
         r /= 2;
     if (r < t->x0)
@@ -42,7 +42,7 @@ void no_end(int n, const int *k, const double *x, double *h, const struct table 
         h[k[i]] += beyond(t, x[i]);
 }
 
-static double moved(const struct table *t, int i, int times) { /* behind its bounds */
+static double moved(const struct table *t, int i, int times) { /* moved beyond its bounds */
     if (i < 0)
         i = 0;
     if (i > t->n)
@@ -88,7 +88,7 @@ void sometimes(int n, const int *k, const int *x, double *h, const struct table 
         h[k[i]] += one_branch(t, x[i], k[i] % 3);
 }
 
-static double wrapped(const struct table *t, int i) { /* below 0 it is a large one */
+static double wrapped(const struct table *t, int i) { /* a negative value wraps around to a large one */
     while (i > 999)
         i /= 2;
     unsigned at = i - 5;
@@ -101,7 +101,7 @@ void unsigned_one(int n, const int *k, const int *x, double *h, const struct tab
         h[k[i]] += wrapped(t, x[i]);
 }
 
-static double against_unsigned(const struct table *t, int i) { /* whose end no int may be */
+static double against_unsigned(const struct table *t, int i) { /* `m` may exceed INT_MAX */
     while (i > 999)
         i /= 2;
     if (i < 0)
@@ -130,7 +130,7 @@ void narrower(int n, const int *k, const int *x, double *h, const struct table *
         h[k[i]] += narrow(t, x[i]);
 }
 
-static double of_float(const struct table *t, double d) { /* rounded, it may be below */
+static double of_float(const struct table *t, double d) { /* after rounding it may be below x0 */
     if (d < t->x0)
         d = t->x0;
     float r = d;
@@ -144,7 +144,7 @@ void narrower_floats(int n, const int *k, const double *x, double *h, const stru
         h[k[i]] += of_float(t, x[i]);
 }
 
-static double divided(const struct table *t, double r) { /* by -0.0 it is below 0 */
+static double divided(const struct table *t, double r) { /* divided by -0.0 it is negative */
     if (r < t->x0)
         r = t->x0;
     int i = (int)floor((r - t->x0) / t->inverse);
@@ -157,7 +157,7 @@ void quotient(int n, const int *k, const double *x, double *h, const struct tabl
         h[k[i]] += divided(t, x[i]);
 }
 
-static double few_bits(const struct table *t, double r) { /* what is no number becomes any of them */
+static double few_bits(const struct table *t, double r) { /* a NaN may become any integer */
     signed char i = (signed char)sqrt(r);
     if (i <= 100)
         return t->values[i];
@@ -180,7 +180,7 @@ void own_table(int n, const int *k, const int *x, double *h, struct table *const
     for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
         h[k[i]] += kept(t[i], x[i]);
 }
-/* The iteration moves its end. */
+/* Each iteration changes the table's length. */
 void moved_end(int n, const int *k, const int *x, double *h, double *values) {
     struct table t = {0};
     t.values = values;

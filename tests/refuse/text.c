@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Obstacles to rewriting the text.
-// covers: row 1, row 55, row 56, row 61, row 62, row 65, row 68
+// Source text that prevents the rewriting.
+// covers: row 1, row 55, row 56, row 61, row 62, row 65, row 68 of docs/constructs.md
 #include <assert.h>
 #include <fenv.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that answer each thread otherwise.
+// Functions whose result depends on the calling thread.
 #include <errno.h>
 #include <pthread.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Variables that a pragma makes thread-local: each thread of the loop would see its own.
-// covers: row 13
+// Variables that a pragma makes thread-local: each thread of the loop would use its own.
+// covers: row 13 of docs/constructs.md
 // FLAGS: -w -fopenmp
 static double of_thread;
 #pragma omp threadprivate(of_thread)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Objects whose accesses mean more than a read or a write, and types that are not accumulated.
-// covers: row 12, row 13, row 42, row 43, row 44, row 48, row 49
+// Objects whose accesses do more than read or write, and types without accepted updates.
+// covers: row 12, row 13, row 42, row 43, row 44, row 48, row 49 of docs/constructs.md
 struct flags {
     unsigned low : 4, high : 4;
 };

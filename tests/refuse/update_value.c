@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The value of an update is used, or the update is part of something larger.
-// covers: row 24, row 36, row 35
+// The loop uses the value of an update, or the update is part of a larger expression.
+// covers: row 24, row 36, row 35 of docs/constructs.md
 #include <stdlib.h>
 
 extern int sink;
 
-/* A counting sort's scatter: the order of the iterations decides the places. */
+/* The last loop of a counting sort: the iterations' order determines the positions. */
 void scatter(int n, const int *key, int *place, int *sorted) {
     for (int t = 0; t < n; t++) // EXPECT: refuse update-value-used
         sorted[place[key[t]]++] = key[t];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the functions of accept/updates_by_members.c write elsewhere, or
-// where is not known before.
-// covers: row 87
+// Loops that differ in one point from those of accept/updates_by_members.c: the functions write
+// elsewhere, or to an element that is not known in advance.
+// covers: row 87 of docs/constructs.md
 enum { N = 4000 };
 
 typedef struct matrix {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the pointers of accept/walkers.c may be anywhere, or are stepped only by some threads.
-// covers: row 47, row 89
+// Loops that differ in one point from those of accept/walkers.c: pointers are unknown, or only some threads step them.
+// covers: row 47, row 89 of docs/constructs.md
 enum { N = 4000 };
 extern int place[N], length[N];
 extern double e[N], weight[40];

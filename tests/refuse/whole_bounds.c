@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Floating bounds that no integer replaces. */
-// covers: row 8, row 9
+/* Floating-point bounds that no integer can replace. */
+// covers: row 8, row 9 of docs/constructs.md
 static double h[100];
 
 void not_whole(const int *k) {
@@ -8,7 +8,7 @@ void not_whole(const int *k) {
         h[k[i]] += 1;
 }
 
-/* 16777217 becomes 16777216 as a float, and 16777216 is not less. */
+/* As a float 16777217 becomes 16777216, which is not less than the bound. */
 void as_float(const int *k) {
     for (int i = 0; i < 16777216.f; i++) // EXPECT: refuse trip-count
         h[k[i]] += 1;
@@ -21,7 +21,7 @@ void as_double(const int *k) {
         h[k[i]] += 1;
 }
 
-/* As a double the bound is 1. */
+/* Rounded to double the bound is 1. */
 void as_long_double(const int *k) {
     for (int i = 0; i < 0.99999999999999999999L; i++) // EXPECT: refuse trip-count
         h[k[i]] += 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Tables that an inner loop fills, of which a later one may read elements that the iteration has not written.
-// Those that may be private are in tests/accept/window_tables.c.
+// An inner loop fills a table, and a later loop may read elements that the iteration has not written.
+// tests/accept/window_tables.c has tables that may be private.
 enum { N = 1000, TABLE = 40 };
 static int s[N], c[N], some;
 static double e[N], h[N];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Tables that pointers walk through, of which a loop may read elements that the iteration has not written, or whose
-// pointers lead elsewhere. Those that may be private are in tests/accept/window_walks.c.
+// Pointers walk through a table. A loop may read elements that the iteration has not written, or a pointer may
+// leave the table. tests/accept/window_walks.c has tables that may be private.
 enum { N = 1000, TABLE = 40 };
 static int s[N], c[N];
 static double e[N], h[N], *kept;

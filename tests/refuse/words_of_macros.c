@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A macro with parameters, named like a member of the runtime that the generated text calls.
+// A function-like macro named like a member of the runtime's structures that the generated text calls.
 #define rows(t) k[t]
 
 void histogram(int n, const int *k, double *h) {

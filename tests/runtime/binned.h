@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops of one update in the form that redcc generates for binning (redcc/bins.h), and the plain
- * loop:
+ * Loops with one update, in the form that redcc generates for binning (redcc/bins.h) and as the
+ * plain loop:
  *
  *     for (t = 0; t < trip; t++)
- *         STATEMENT of  r, a row of R at subscript k[t],  and  e, the contribution value[t]
+ *         STATEMENT, which updates r, the row at subscript k[t], by e, the contribution value[t]
  *
  * BINNED_LOOP(NAME, ROW, RECORD, OPERATION, TYPE, EXACT, STATEMENT) defines NAME, a struct
  * binned_loop. STATEMENT may name `by`, an operand constant in the loop.
@@ -23,9 +23,10 @@ struct binned_problem {
     redcc_int trip;
     const int *k;      /* [trip] */
     const void *value; /* [trip] */
-    void *rows;        /* the row of subscript 0 */
+    void *rows;        /* address of the row with subscript 0 */
     const double *by;
-    redcc_int slow; /* number of first iterations that take longer; < 0: number of last ones */
+    redcc_int slow; /* the first `slow` iterations take 20 microseconds longer, or the last -slow if
+                       < 0 */
 };
 
 static inline void binned_delay(const struct binned_problem *p, redcc_int t) {
@@ -38,8 +39,8 @@ struct binned_loop {
     size_t row, record; /* bytes */
     redcc_binned *descriptor;
     void (*oracle)(const struct binned_problem *);
-    /** Returns whether the loop was done; otherwise nothing has changed. *last counts the threads
-     * that claim the last iteration. */
+    /** Returns true if the loop was executed. If it returns false, nothing has changed. Adds to
+     * *last the number of threads that claim the last iteration. */
     bool (*run)(const struct binned_problem *, int threads, int *last);
 };
 

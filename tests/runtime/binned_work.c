@@ -41,7 +41,7 @@ void work_oracle(const struct work *w) {
     execute(w, 0, w->trip);
 }
 
-/* ---- as redcc would write it ----------------------------------------------------------------- */
+/* ---- as redcc generates it ------------------------------------------------------------------- */
 
 static void apply_means(const redcc_applied *applied) {
     long *const count = applied->rows[0];
@@ -176,7 +176,7 @@ long work_fallbacks(enum reason reason) {
     return atomic_load(&work_state()->reported.statistics.fallback[reason]);
 }
 
-/* Returns whether all rounds, or at least the first ones, were binned. */
+/* Returns true if binning executed all rounds, or at least the first ones. */
 bool work_compare(const struct work *w, int threads) {
     memcpy(&now, &before, sizeof now);
     work_oracle(w);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop in the form that redcc generates for binning, with everything that such loops may contain:
- * several arrays in a record, several updates of an array, conditions, an inner loop, a source that
- * may overlap.
+ * A loop in the form that redcc generates for binning, with all that such loops may contain:
+ * several arrays in a record, several updates of an array, conditions, an inner loop, and a
+ * source that may overlap the arrays.
  *
  *     for (t = 0; t < trip; t++)
  *         for (n = start[t]; n < start[t + 1]; n++) {
@@ -35,7 +35,8 @@ struct work {
 
 enum { ROWS = 3000, TRIP = 4000, MOST = 16 * TRIP, X = 50 };
 
-/** The loop's data: one block, so that all parts may overlap. x is `other` from ROWS on. */
+/** The loop's data in one block, so that all parts may overlap. x is a pointer to `other` from
+ * element ROWS on. */
 struct memory {
     long count[ROWS];
     double sum[ROWS];
@@ -48,32 +49,35 @@ extern struct memory now, before;
 /** The loop's descriptor; its second stream has a tag. */
 extern redcc_binned work_loop;
 
-/** The number of threads to which OpenMP is limited; 0: no limit. */
+/** The number of threads to which OpenMP is limited, or 0 if it is not. */
 extern int fewer;
 
-/** Random work with at most `most_inside` iterations of the inner loop; work_free frees it. */
+/** Returns random work with at most `most_inside` iterations of the inner loop. The caller frees it
+ * by work_free. */
 struct work work_new(unsigned long seed, int most_inside);
 
-/** Frees it, and everything that the runtime stores for the loop. */
+/** Frees the work, and everything that the runtime stores for the loop. */
 void work_free(struct work *w);
 
-/** The oracle: executes the loop sequentially on the current memory. */
+/** Executes the loop sequentially on the current memory: the expected result. */
 void work_oracle(const struct work *w);
 
-/** Executes the loop by the runtime. Returns whether it was done; otherwise nothing has changed. */
+/** Executes the loop by the runtime. Returns true if it was executed. If it returns false, nothing
+ * has changed. */
 bool work_run(const struct work *w, int threads);
 
-/** Executes the loop on the data `before`; the test fails if the bits are not the oracle's. Returns
- * whether all rounds, or at least the first ones, were binned. */
+/** Executes the loop on the data `before`. The test fails if the result differs from work_oracle's
+ * in any bit. Returns true if binning executed all rounds, or at least the first ones. */
 bool work_compare(const struct work *w, int threads);
 
-/** The runtime's state of the loop. */
+/** Returns the runtime's state of the loop. */
 const struct loop_state *work_state(void);
 
-/** The number of executions that were compared with the sequential loop (REDCC_VALIDATE=1). */
+/** Returns the number of executions that were compared with the sequential loop
+ * (REDCC_VALIDATE=1). */
 long work_validated(void);
 
-/** The number of times that the loop ran sequentially for this reason. */
+/** Returns the number of times that the loop ran sequentially for this reason. */
 long work_fallbacks(enum reason reason);
 
 #endif

@@ -14,7 +14,7 @@ enum { THREADS = 2, PLANS = 4 };
 
 /* A kept plan. A new one replaces the least recently used one. */
 struct kept_plan {
-    enum way way; /* SEQUENTIAL: none */
+    enum way way; /* WAY_SEQUENTIAL if the entry is unused */
     int subscripts;
     long long trip;
     int used;
@@ -26,10 +26,10 @@ struct simulation {
     struct kept_plan plan[PLANS];
     int clock;
     int steady;
-    int met[PLANS]; /* subscripts of the last calls, latest first; -1: none */
-    bool started;   /* the threads were started */
-    double
-        excess; /* twice the largest excess of an execution over the sequential one, and a block */
+    int met[PLANS];   /* subscripts of the last calls, latest first, or -1 */
+    bool started;     /* the threads were started */
+    double excess;    /* twice the largest excess of an execution over the sequential one, plus a
+                         block, in seconds */
     double overdraft; /* the largest overdraft, seconds */
     double longest;   /* the longest sequential execution, seconds */
     double told;      /* seconds reported to the decision code, all of which are in its ledger */
@@ -114,8 +114,9 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
         it->so_far.total += call->sequential;
 }
 
-/* A trial in bins: a round with a 16th of the loop, as many sequential iterations, then rounds as
- * long as all before, or as long as the remaining loss permits. */
+/* Simulates a trial of binning: one round of a 16th of the loop, as many sequential iterations,
+ * then rounds each as long as all before, or shorter if the loss that remains permitted requires
+ * it. */
 static void try_bins(struct simulation *it, const struct simulated_call *call, double may_lose) {
     const double more = call->execution[WAY_BINS] - call->sequential, start = start_left(it);
     const double least = 1.0 / 16;
@@ -165,7 +166,7 @@ static void run_by_plan(struct simulation *it, const struct simulated_call *call
     run_sequentially(it, call, true);
 }
 
-/* spent: seconds that the inspection has taken so far. */
+/* Simulates a plan construction. spent: seconds that the inspection has taken so far. */
 static void make_plan(struct simulation *it, const struct simulated_call *call, enum way way,
                       double spent, double deadline) {
     const struct trace *trace = it->trace;
@@ -251,7 +252,7 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         end_look(it, call, spent);
 }
 
-/* What redcc_reach answers without knowledge of kept plans, and with half of the time to start
+/* Returns the answer of redcc_reach without knowledge of kept plans, with half of the time to start
  * threads as the lower bound. */
 static enum reach reach_of(const struct simulation *it, struct situation now) {
     now.start /= 2;
@@ -293,8 +294,8 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
     }
 }
 
-/* Widens the allowance by what this execution, or the check of a plan, takes beyond the sequential
- * one. */
+/* Raises the allowance to the time that this execution, or the check of a plan, takes beyond the
+ * sequential execution. */
 static void widen_allowance(struct simulation *it, const struct simulated_call *call) {
     double most = fmax(it->trace->check * call->sequential, it->trace->refusal);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)

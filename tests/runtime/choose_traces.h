@@ -7,22 +7,23 @@
 
 #include <stdint.h>
 
-/** The bound's epsilon, and the largest speed-up of a plan of these loops. Defined independently of
- * the code under test. */
+/** The bound's epsilon, and the largest speed-up of these loops by a plan. Both are defined
+ * independently of the code under test. */
 static const double share = 1.0 / 32, fastest = 2;
 
-/** The state of uniform, which each test that draws numbers must set. */
+/** The state of `uniform`, which each test that draws numbers must set. */
 extern uint64_t random_state;
 
-/** Uniformly distributed in [0, 1). */
+/** Returns a number uniformly distributed in [0, 1). */
 double uniform(void);
 
-/** A loop of a million iterations that takes 10 ms sequentially and half of that by owners, whose
- * plan takes half an execution. Owners cut from the graph are faster, but their plan is four times
- * as expensive. The caller frees it. */
+/** Returns a loop of a million iterations that takes 10 ms sequentially, and half of that by
+ * owners, whose plan construction takes half an execution. Owners cut from the access graph are
+ * faster, but their plan is four times as expensive. The caller frees the trace. */
 struct trace *ordinary(int count);
 
-/** Multiplies the sequential time of a call, and the times of all other strategies. */
+/** Multiplies the call's sequential time by `sequential`, and the times of all other strategies by
+ * `parallel`. */
 void scale(struct simulated_call *call, double sequential, double parallel);
 
 #endif

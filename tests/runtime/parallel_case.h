@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* clang-format off */
 /**
- * One loop of test_parallel.c: each iteration updates row i, and row OTHER(i), of an array. Before it:
+ * One loop of test_parallel.c: each iteration updates row i, and row OTHER(i), of an array. Define before including it:
  *     CASE        the loop's name
- *     TYPE        of the array's elements; OPERATION, by which they are updated; WIDTH of a row
+ *     TYPE        the type of the array's elements; OPERATION: of their updates; WIDTH: of a row
  *     BODY(r)     updates row number r of `a` by redcc/parallel.h, in iteration t
- *     PLAIN(r)    the same as it is written
+ *     PLAIN(r)    the same update in plain C
  * Defines test_CASE for cmocka.
  */
 /* clang-format on */

@@ -8,7 +8,8 @@
 
 #include <cmocka.h>
 
-/* The owner of the byte at `offset` from the group's first element, by the map of its units. */
+/* Returns the owner of the byte at `offset` from the group's first element, according to the map of
+ * its units. */
 static uint32_t owner_in_map(const struct plan *plan, uint32_t group, ptrdiff_t offset) {
     const struct group_map *mapped = &plan->map.of[group];
     const ptrdiff_t unit = (offset - mapped->first) / (ptrdiff_t)mapped->bytes;
@@ -18,7 +19,8 @@ static uint32_t owner_in_map(const struct plan *plan, uint32_t group, ptrdiff_t 
     return owner;
 }
 
-/* The owner of the byte at `offset` from the array's first element; fails if there are several. */
+/* Returns the owner of the byte at `offset` from the array's first element; fails if there are
+ * several. */
 static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offset) {
     const uint32_t group = plan->group_of[array];
     if (plan->map.owner)
@@ -35,7 +37,7 @@ static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offs
     return found;
 }
 
-/* When an iteration is executed. */
+/* The stage and thread in which an iteration is executed, and how often. */
 struct visit {
     int stage, thread, times;
 };
@@ -56,8 +58,8 @@ static void record_visits(const struct plan *plan, struct visit *visit) {
     }
 }
 
-/* Checks that iteration t updates the element after the preceding one. *last: 1 + the iteration
- * that updated it before; 0: none. */
+/* Checks that iteration t updates the element after the preceding one. *last is 1 + the number of
+ * the iteration that updated it before, or 0. */
 static void check_update(const struct visit *visit, long t, long *last) {
     const struct visit *before = *last > 0 ? &visit[*last - 1] : NULL;
     if (before && *last != t + 1 && before->stage >= visit[t].stage) {
@@ -67,8 +69,8 @@ static void check_update(const struct visit *visit, long t, long *last) {
     *last = t + 1;
 }
 
-/* Levels: each iteration is executed once. Of two that touch a common element, the first is in an
- * earlier stage, or precedes the other in the same thread. */
+/* Checks a plan by levels: each iteration is executed once. Of two iterations that touch a common
+ * element, the first is in an earlier stage, or precedes the second in the same thread. */
 static void check_levels(const struct problem *problem, const struct plan *plan) {
     const size_t first = (size_t)problem->doubles;
     const size_t second = (size_t)problem->second_rows * (size_t)problem->second_width;

@@ -18,7 +18,7 @@ enum order { SORTED, SHUFFLED, ONE_ELEMENT, BACKWARDS };
 struct shape {
     const char *name;
     long trip;
-    int per_iteration; /* touches per iteration; negative: 0 to -per_iteration */
+    int per_iteration; /* touches per iteration; if negative, from 0 to -per_iteration */
     int rows, width;
     int second_rows, second_width;
     enum order order;

@@ -26,9 +26,10 @@ struct problem {
     int *other;
     double *value;
     int rows, width;
-    int second_rows, second_width; /* 0: there is no second array */
+    int second_rows, second_width; /* 0 if there is no second array */
     double *first;                 /* [rows][width] */
-    double *second; /* [second_rows][second_width]; may lie in `first`, which is larger then */
+    double *second; /* [second_rows][second_width]; with second_in_first a part of `first`, which is
+                       larger then */
     bool second_in_first;
     long doubles; /* number of doubles in `first` */
 };
@@ -42,42 +43,43 @@ struct described {
 
 enum { PROBLEMS = 14 };
 
-/** Problem number 0 <= number < PROBLEMS; `exact`: all values are small integers. */
+/** Returns problem number `number`, at least 0 and less than PROBLEMS. If `exact`, all values are
+ * small integers. */
 struct problem problem_new(int number, bool exact);
 
-/** Frees its memory. */
+/** Frees the problem's memory. */
 void problem_free(struct problem *problem);
 
 /** Sets the arrays to their initial contents. */
 void problem_reset(struct problem *problem);
 
-/** Makes auto believe that each iteration of the original loop took `seconds` in very many earlier
- * calls, and each plan construction ten times as long. Then auto constructs a plan in one of the
- * next calls, whatever the machine's load. The loop must have been executed once. */
+/** Makes auto believe that each iteration of the original loop took `seconds` in a great many
+ * earlier calls, and each plan construction ten times as long. Then auto constructs a plan in one
+ * of the next calls, whatever the machine's load is. The loop must have been executed once. */
 void problem_tell_slow(redcc_loop *loop, long trip, double seconds);
 
-/** Does problem_run call problem_tell_slow after a call that ran serially, if no method is named?
- * True initially. */
+/** If true (initially), problem_run calls problem_tell_slow after a call that ran serially, if no
+ * method is named. */
 extern bool problem_run_tells;
 
 /** The number of additions that an iteration's slice makes before it finds the touched rows. */
 extern int problem_searches;
 
-/** Executes the loop in the form that redcc generates. Returns 1 if it ran in parallel, 0 if
- * serially. *last becomes 3 t + 1, where t is the last iteration. */
+/** Executes the loop in the form that redcc generates. Returns 1 if it ran in parallel, or 0 if
+ * serially. Sets *last to 3 t + 1, where t is the last iteration. */
 int problem_run(struct problem *problem, struct described *described, int threads, long *last);
 
-/** As problem_run, but OpenMP gives only `given` of the requested threads. */
+/** Like problem_run, but OpenMP gives only `given` of the requested threads. */
 int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
                       long *last);
 
 /** Describes the problem's loop. */
 void problem_describe(const struct problem *problem, struct described *described);
 
-/** The oracle: executes the loop sequentially on the current arrays. */
+/** Executes the loop sequentially on the current arrays: the expected result. */
 void problem_oracle(struct problem *problem);
 
-/** The next number of a pseudo-random sequence that is the same on every machine. */
+/** Returns the next number of a pseudo-random sequence that is the same on every machine. */
 unsigned long next_random(unsigned long *state);
 
 #endif

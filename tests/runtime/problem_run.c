@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loop of problem.h, written as redcc writes it (docs/generated-code.md). */
+/* The loop of problem.h in the form that redcc generates (docs/generated-code.md). */
 #include "loop.h"
 #include "problem.h"
 
@@ -70,7 +70,7 @@ int problem_run(struct problem *problem, struct described *described, int thread
     return problem_run_fewer(problem, described, threads, threads, last);
 }
 
-/* The extents that are known before an inspection. */
+/* Sets the extents that are known before an inspection. */
 static void set_known(const struct problem *problem, redcc_extent known[4]) {
     memset(known, 0, 4 * sizeof *known);
     if (problem->trip <= 0)
@@ -82,7 +82,7 @@ static void set_known(const struct problem *problem, redcc_extent known[4]) {
     known[3].first = (const char *)problem->value;
 }
 
-/* The first part of each thread: records the touches of the blocks that it gets. */
+/* Executed by each thread first: records the touches of the blocks that the thread gets. */
 static void inspect_blocks(redcc_worker *worker, const struct problem *problem) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value, *first = problem->first, *second = problem->second;
@@ -107,7 +107,7 @@ static void inspect_blocks(redcc_worker *worker, const struct problem *problem) 
         }
 }
 
-/* Classifies the iterations of a block: do they write a row that the thread owns? */
+/* Classifies the iterations of a block: does an iteration write a row that the thread owns? */
 static void classify(redcc_worker *worker, const struct problem *problem) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value, *first = problem->first, *second = problem->second;
@@ -122,7 +122,7 @@ static void classify(redcc_worker *worker, const struct problem *problem) {
     redcc_store_classes(worker, class);
 }
 
-/* Executes a chunk, run by run. In the loop's last iteration t, *last becomes 3 t + 1. */
+/* Executes a chunk, run by run. In the loop's last iteration t, sets *last to 3 t + 1. */
 static void execute_chunk(redcc_worker *worker, const struct problem *problem, long *last) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value;

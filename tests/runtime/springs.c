@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The example of docs/generated-code.md in a program, as redcc writes it but for binning: springs N
- * CALLS prints a checksum of the bits of the result, which must be the serial loop's; with
- * one argument more, the trip count from which on loops of short iterations are worth entering. */
+/* The example of docs/generated-code.md in a program, in the form that redcc generates but without
+ * binning. `springs N CALLS` prints a checksum of the result's bits, which must equal the serial
+ * loop's. A further argument makes it print the least trip count for which loops of short
+ * iterations call the runtime. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -95,7 +96,7 @@ static void springs(int n, const int (*edge)[2], const double (*x)[3], struct sy
         redcc__done = REDCC_EXECUTED(redcc__site_springs, redcc__member_springs);
     }
     REDCC_QUIET_END if (redcc__done) {
-        t = (__typeof__(t))redcc__final; /* the counter outlives the loop */
+        t = (__typeof__(t))redcc__final; /* the counter is used after the loop */
     } else
 #endif
     for (t = 0; t < n; t++) {

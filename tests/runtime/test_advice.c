@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* auto on real loops: its decision in each call, and the bits of the original loop each time; also
- * its decision table in docs/methods.md. test_choose_bound tests the bounds. */
+/* auto on real loops: its decision in each call, and the bits of the original loop each time. Also
+ * tests the decision table in docs/methods.md. test_choose_bound.c tests the bounds. */
 #include "loop.h"
 
 #include "base/memory.h"
@@ -26,7 +26,7 @@ struct called {
     struct described described;
 };
 
-/* Each iteration touches one row: in order, or at random. */
+/* Each iteration touches one row: in ascending order if `sorted`, else at random. */
 static struct problem one_touch_each(bool sorted) {
     struct problem problem = {.name = "one touch each", .trip = TRIP, .touches = TRIP};
     unsigned long random = 88172645463325252u;
@@ -48,7 +48,8 @@ static struct problem one_touch_each(bool sorted) {
     return problem;
 }
 
-/* Calls the loop and compares the bits with the oracle; returns whether the runtime executed it. */
+/* Calls the loop and compares the bits with the expected result. Returns true if the runtime
+ * executed the loop. */
 static bool call_by(struct called *called, int threads) {
     static double expected[ROWS];
     struct problem *problem = &called->problem;
@@ -118,7 +119,7 @@ static void the_first_call_is_sequential_and_timed(void **state) {
     assert_true(size_of(called)->sequential.recent[0] > 0);
 }
 
-/* One thread alone can be faster only by lanes. */
+/* With one thread only lanes can make a loop faster. */
 static void one_thread_is_enough_for_lanes(void **state) {
     struct called *called = *state;
     const _Atomic long *one_thread = &statistics_of(called)->fallback[REASON_ONE_THREAD];
@@ -132,7 +133,7 @@ static void one_thread_is_enough_for_lanes(void **state) {
     assert_int_equal(atomic_load(one_thread), 1);
 }
 
-/* No action begins whose cost may exceed the credit. */
+/* No action begins that may cost more than the credit. */
 static void nothing_is_begun_without_credit(void **state) {
     struct called *called = *state;
     for (int call = 0; call < 10; call++) {
@@ -177,7 +178,7 @@ static void changed_subscripts_are_not_inspected_at_once(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
-/* Threads arrived late, so the sample took long through no fault of the loop. The sample is used
+/* Threads arrived late, so the sample took long for a reason outside the loop. The sample is used
  * nevertheless if an overdraft covers its cost. */
 static void a_sample_that_took_long_is_not_lost(void **state) {
     struct called *called = *state;
@@ -198,8 +199,8 @@ static void a_sample_that_took_long_is_not_lost(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
-/* A slice that is more expensive than the body: threads that find their iterations by the slice are
- * too slow, and so is an inspection. */
+/* A slice that is more expensive than the body makes inspections too slow, and also threads that
+ * find their iterations by the slice. */
 static void an_expensive_slice_is_seen(void **state) {
     struct called *called = *state;
     problem_searches = 1000; /* 0.4 microseconds; the body takes some nanoseconds */
@@ -222,7 +223,7 @@ static void an_inspection_ends_at_its_deadline(void **state) {
     size->looked = true;
     size->arm[WAY_INDEX] =
         (struct arm){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
-    /* more than was saved, so that no overdraft is allowed and the credit pays */
+    /* more than the plans have saved, so that no overdraft is allowed and the credit must pay */
     size->set_ups.invested = 1e-9;
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_STOPPED);
@@ -246,8 +247,8 @@ static void short_loops_are_left_alone(void **state) {
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
-/* A loop in back-off stays sequential too, but is timed; its subscripts are read in the last call
- * of the back-off. */
+/* A loop in back-off stays sequential too, but is timed. Its subscripts are sampled in the last
+ * call of the back-off. */
 static void resting_loops_are_left_alone(void **state) {
     enum { REST = 16 };
     struct called *called = *state;
@@ -280,13 +281,13 @@ static void short_loops_have_no_state(void **unused) {
     assert_true(redcc_unmade_call(&word, 1000));
     assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
     for (int calls = 16; calls < 4096; calls *= 2) {
-        int between = 0; /* each of the last 16 calls is counted, of earlier calls one in 16 */
+        int between = 0; /* the last 16 calls are all counted, earlier ones one in 16 */
         for (; !redcc_unmade_call(&word, 1000); between++)
             assert_true(redcc_is_unmade(word) && between < calls + 32);
         assert_in_range(between, calls > 32 ? calls - 32 : 16, calls + 32);
         assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
     }
-    assert_false(redcc_unmade_call(&word, 10)); /* which is shorter still */
+    assert_false(redcc_unmade_call(&word, 10)); /* an even shorter loop */
     assert_true(redcc_unmade_call(&word, 1000000));
     assert_true(redcc_unmade_timed(&word, 1000000, 6e-3));
     struct loop_state *state = NULL; /* another thread has created the state */
@@ -297,7 +298,8 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
-/* The number of executions that count after these timings, once the loop has a state. */
+/* Returns the number of executions that count after these timings, once the loop has a state; 0 if
+ * it has none, or -1 if the state comes too early. */
 static int executions_that_count(const double *seconds, int timings) {
     void *word = NULL;
     for (int timing = 0; timing < timings; timing++) {
@@ -357,12 +359,12 @@ static void loops_of_other_sizes_earn_nothing(void **unused) {
     assert_int_equal(redcc_unmade_timed(&word, 10, 6e-3), 1);
 }
 
-/* The first short iterations of a program are executed without a call of the runtime. */
+/* A program's first short iterations run without a call of the runtime. */
 static void the_first_short_iterations_are_not_asked_about(void **unused) {
     (void)unused;
     redcc_least_trip = 1000;
     redcc_exempt_iterations = 5000;
-    assert_false(redcc_is_worth_entering(999)); /* and are not counted */
+    assert_false(redcc_is_worth_entering(999)); /* too few iterations, which are not counted */
     assert_false(redcc_is_worth_entering(2000));
     assert_false(redcc_is_worth_entering(2000));
     assert_true(redcc_is_worth_entering(1000));
@@ -374,8 +376,8 @@ static void the_first_short_iterations_are_not_asked_about(void **unused) {
     redcc_least_trip = redcc_exempt_iterations = 0;
 }
 
-/* A loop's first execution is timed before it has a state. The subscripts of the next call are
- * compared with those of that execution. */
+/* A loop's first execution is timed before the loop has a state. The subscripts of the next call
+ * are compared with those of this execution. */
 static void subscripts_are_known_after_the_first_timing(void **fixture) {
     struct called *called = *fixture;
     const redcc_loop *loop = &called->described.loop;
@@ -390,7 +392,7 @@ static void subscripts_are_known_after_the_first_timing(void **fixture) {
     assert_true(first != 0 && first == redcc_reuse_sample(loop, known));
     called->problem.row[0]++;
     assert_true(redcc_reuse_sample(loop, known) != first);
-    redcc_advise_timed(&fresh, loop, known, TRIP, 1e-6); /* they were sampled at entry */
+    redcc_advise_timed(&fresh, loop, known, TRIP, 1e-6); /* the subscripts were sampled at entry */
     assert_true(fresh.sampled[0] == first && fresh.sampled[1] == 0);
 }
 
@@ -405,13 +407,13 @@ static void subscripts_are_compared(void **fixture) {
     struct loop_state *state = called->described.loop.state;
     struct chooser *chooser = &state->chooser;
     redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1e-6);
-    assert_false(chooser->remembered); /* it would take longer than a fiftieth of the loop */
+    assert_false(chooser->remembered); /* would take more than a fiftieth of the loop */
     redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1);
     assert_true(chooser->remembered);
     struct fingerprint before = chooser->all, now;
     assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
     assert_true(redcc_fingerprint_equal(before, now));
-    /* a time limit of 0 */
+    /* fails, since the time limit is 0 */
     assert_false(redcc_reuse_fingerprint(&called->described.loop, known, 0, &now));
     called->problem.row[TRIP / 2 + 1]++;
     assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
@@ -456,7 +458,8 @@ static const struct findings shuffled = {.trip = 50000,
                                          .runs = 0.5,
                                          .reusable = true};
 
-/* With lanes one thread may be worth a plan construction, but not an overdraft. */
+/* With one thread a plan is estimated to save time only if the loop has vector lanes, and never
+ * with the access graph. */
 static void one_thread_has_prospects_by_lanes(void **unused) {
     (void)unused;
     struct arm it[WAY_COUNT];
@@ -471,7 +474,7 @@ static void one_thread_has_prospects_by_lanes(void **unused) {
     assert_true(it[WAY_INDEX].execution < 0.9 * findings.sequential);
     assert_true(it[WAY_INDEX].execution > 0.8 * findings.sequential);
     assert_false(it[WAY_GRAPH].possible);
-    struct arm two[WAY_COUNT]; /* several threads are worth a plan without lanes */
+    struct arm two[WAY_COUNT]; /* with 2 threads the lanes change no estimate */
     findings.threads = 2;
     redcc_estimate_arms(&findings, it);
     findings.lanes = false;
@@ -508,7 +511,7 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(fetched[WAY_GRAPH].execution < 0.8 * it[WAY_GRAPH].execution);
     assert_true(fetched[WAY_GRAPH].set_up == it[WAY_GRAPH].set_up);
     findings = shuffled;
-    /* an inspection evaluates the slice once per iteration; bins may, too */
+    /* an inspection evaluates the slice once per iteration; binning may do so, too */
     findings.slice = 100e-9;
     redcc_estimate_arms(&findings, fetched);
     assert_true(fetched[WAY_INDEX].set_up > it[WAY_INDEX].set_up + 2e-3);
@@ -524,13 +527,13 @@ static void prospects_follow_from_what_was_found(void **unused) {
     redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution < 0.6 * findings.sequential);
-    findings.sequential = 1e-9; /* a light loop whose iterations all have other owners */
+    findings.sequential = 1e-9; /* short iterations, each with other owners than the previous one */
     findings.runs = 1;
     redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_INDEX].execution > findings.sequential);
 }
 
-/* Threads start concurrently, and wait concurrently for their time slices. */
+/* Threads are started concurrently, and they wait concurrently for their time slices. */
 static void many_threads_start_as_soon_as_few(void **unused) {
     (void)unused;
     const double one = redcc_start_seconds(1, false), many = redcc_start_seconds(15, false);
@@ -538,7 +541,7 @@ static void many_threads_start_as_soon_as_few(void **unused) {
     assert_true(one < many && many < 4 * one);
     assert_true(redcc_start_seconds(1, true) >= 2e-3);
     assert_true(redcc_start_seconds(15, true) == redcc_start_seconds(1, true));
-    /* regions of the program have started the threads */
+    /* earlier parallel regions of the program have started the threads */
     assert_true(redcc_start_seconds(0, true) < one);
     struct chooser chooser = {0};
     redcc_tell_team(&chooser, 4, 4, 0.6e-3, 3);
@@ -547,7 +550,7 @@ static void many_threads_start_as_soon_as_few(void **unused) {
     /* the threads waited for cores, so starting takes this long */
     redcc_tell_team(&chooser, 4, 4, 15e-3, 3);
     assert_true(fabs(redcc_start_seconds(3, true) - 15e-3) < 1e-9);
-    redcc_tell_team(&chooser, 2, 2, 0.4e-3, 1); /* for the tests that follow */
+    redcc_tell_team(&chooser, 2, 2, 0.4e-3, 1); /* restores the state for later tests */
 }
 
 /* 1000 iterations of a loop over pairs, in `executions` of 1.6 ms. */
@@ -575,7 +578,7 @@ static const struct outcome slow_tiles = {.result = RESULT_PARALLEL,
                                           .seconds = 2.5e-3,
                                           .set_up = 0.5e-3};
 
-/* No sample is taken: the second execution uses tiles, if it repays starting the threads at once.
+/* No sample is taken: the second execution uses tiles if that repays starting the threads at once.
  */
 static void pairs_begin_with_tiles(void **unused) {
     (void)unused;
@@ -597,8 +600,8 @@ static void pairs_begin_with_tiles(void **unused) {
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
 }
 
-/* A slow first execution with new threads does not stop a loop that is no longer new: it continues
- * with them at once. */
+/* A slow first execution with new threads does not stop a loop that has run several times: it
+ * continues with the threads at once. */
 static void tiles_go_on_after_a_slow_beginning(void **unused) {
     (void)unused;
     struct choice_state state = after_pairs(4);
@@ -619,7 +622,7 @@ static void tiles_go_on_after_a_slow_beginning(void **unused) {
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
 }
 
-/* A guard forbade tiles: a sample may find another strategy. */
+/* If a guard forbids tiles, a sample may find another strategy. */
 static void a_sample_follows_tiles_that_failed(void **unused) {
     (void)unused;
     struct choice_state state = after_pairs(40);
@@ -649,7 +652,7 @@ static void few_short_iterations_are_one_threads(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        /* before any thread has been started */
+        /* must come first, before any thread has been started */
         cmocka_unit_test(many_threads_start_as_soon_as_few),
         cmocka_unit_test_setup_teardown(the_first_call_is_sequential_and_timed, begin_sorted, end),
         cmocka_unit_test_setup_teardown(one_thread_is_enough_for_lanes, begin_sorted, end),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Memory at several addresses: random mappings of a few objects, by both ways of reading them. The
- * oracle writes to each page that a loop would write to, and looks where it can be seen. */
+/* Memory at several addresses: random mappings of a few objects, found by both ways of reading the
+ * process's mappings. The test itself writes to each page that a loop would write to, and looks for
+ * the change at the other pages. */
 #define _GNU_SOURCE
 #include "base/aliases.h"
 
@@ -37,8 +38,8 @@ static void map(int page, int pages, int flags, int descriptor, int offset) {
                      at);
 }
 
-/* Maps the objects at random, the same way for the same seed; private mappings begin with the
- * file's pages again. */
+/* Maps the objects at random, equally for equal seeds. Private mappings begin with the file's pages
+ * again. */
 static void map_at_random(uint64_t seed) {
     const uint64_t before = state;
     state = seed;
@@ -63,7 +64,7 @@ static bool is_in(const struct range *ranges, uint32_t count, int page) {
     return false;
 }
 
-/* Can a byte that is written be seen at another page that is touched? */
+/* Does a write to one page change another page that is touched? */
 static bool is_seen(struct touches touches, uint64_t seed) {
     for (int page = 0; page < PAGES; page++) {
         volatile char *const written = area + page * PAGE;
@@ -162,8 +163,8 @@ static void kinds_of_objects(void **unused) {
     redcc_maps_by_text = false;
 }
 
-/* Pages of a device, whose driver defines the meaning of offsets. Skipped without perf events, as
- * in most containers. */
+/* Pages of a device, whose driver defines what offsets mean. Skipped where perf events are not
+ * permitted, as in most containers. */
 static void device(void **unused) {
     (void)unused;
     struct perf_event_attr events = {.type = PERF_TYPE_SOFTWARE,
@@ -179,7 +180,7 @@ static void device(void **unused) {
     redcc_system_close((int)counter);
 }
 
-/* One mapping in more pieces than are stored counts as unknown. */
+/* If a mapping has more pieces than the runtime stores, it counts as unknown. */
 static void many_pieces(void **unused) {
     (void)unused;
     enum { MANY = 40 };

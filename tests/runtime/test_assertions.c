@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Builds with assertions stop if a schedule violates what its method promises. Each method's
- * prepare is replaced by one that makes the method's schedule and then changes it:
+ * prepare is replaced by one that makes the method's schedule for this loop and then changes it:
  *
  *     for (t = 0; t < TRIP; t++) b[row[t]] += t;    row[t] = t
  *
- * They do not stop for a correct schedule. In that loop every iteration must be executed; most
+ * A correct schedule does not stop them. In that loop every iteration must be executed; most
  * iterations touch two rows of different owners, the others touch nothing. */
 #include "loop.h"
 #include "settings.h"
@@ -26,7 +26,7 @@ enum { TRIP = 6000, THREADS = 2 };
 
 enum { NO_ROW = -1 };
 
-static int row[TRIP], other[TRIP]; /* NO_ROW: the iteration has no such row */
+static int row[TRIP], other[TRIP]; /* NO_ROW if the iteration has no such row */
 static double b[TRIP];
 
 static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
@@ -118,7 +118,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
     return true;
 }
 
-/* Does the loop, executed in a child process, end normally? */
+/* Does the loop, executed in a child process, end without a failed assertion? */
 static bool survives(const struct method *method, enum change to_make) {
     const pid_t child = fork();
     assert_true(child >= 0);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Subscripts whose ranges overlap, as those of row_start[i] and row_start[i + 1]: bytes that one
- * has covered are not read again for the other, and yet no change is missed.
+/* Subscripts whose ranges overlap, as those of row_start[i] and row_start[i + 1]: bytes that belong
+ * to both ranges are read only once, and yet no change is missed.
  *
  *     for (t = 0; t < trip; t++) { b[p[t]] += t; b[q[t]] -= 2 * t; } */
 #include "loop.h"
@@ -60,7 +60,7 @@ static void execute(const int *q) {
     assert_true(redcc_leave(&call));
 }
 
-/* Returns whether a plan was reused. */
+/* Executes the loop and compares the results. Returns true if a plan was reused. */
 static bool execute_right(const int *q) {
     memset(expected, 0, sizeof expected);
     memset(b, 0, sizeof b);
@@ -100,7 +100,7 @@ static void changes_are_seen_wherever_they_lie(void **unused) {
     redcc_loop_forget(&loop);
 }
 
-/* The other source is unchanged, and so are the bytes outside of it; only its position differs. */
+/* The bytes of both sources are unchanged, but one source begins elsewhere. */
 static void places_are_compared_too(void **unused) {
     (void)unused;
     fill();

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* In-order binning against the plain loop, bit for bit: every operator and type, at 1 to 33
- * threads, in rounds of every size, with bins of one row to bins of all, pushed directly and by
- * write combining. Run with REDCC_METHOD=binning, binning:records and binning:copies. */
+/* In-order binning against the plain loop, bit for bit: every operator and type, 1 to 33 threads,
+ * rounds of every size, bins of one row up to one bin for all rows, direct pushes and write
+ * combining. Run with REDCC_METHOD=binning, binning:records and binning:copies. */
 #include "base/bins_kind.h"
 #include "base/memory.h"
 #include "binned.h"
@@ -83,7 +83,7 @@ struct data {
     size_t bytes;
 };
 
-/* A NaN as the processor makes it, with the same bits in each use. */
+/* Returns a NaN made by the processor, which has the same bits each time. */
 static double no_number(void) {
     volatile double infinite = __builtin_inf();
     return infinite - infinite;
@@ -178,7 +178,7 @@ static const struct loop_state *state_of(const struct binned_loop *loop) {
     return loop->descriptor->loop.state;
 }
 
-/* Returns the number of rounds. */
+/* Returns the number of rounds that the execution had. */
 static long compare(struct data *it, int threads) {
     int last = 0;
     memcpy(it->memory, it->before, it->bytes);
@@ -253,13 +253,14 @@ static void random_problems(void **unused) {
         const int rows = 1 + (int)(next_random(&state) % 5000);
         const redcc_int trip = 1 + (redcc_int)(next_random(&state) % 40000);
         struct data data = new_data(loop, rows, trip, n % KINDS, next_random(&state));
-        const bool small = n % 4 == 0; /* bins; or memory */
+        const bool small = n % 4 == 0; /* small bins; otherwise the budget limits the bins */
         redcc_bins_tuning.bin_bits = small ? 3 + (uint32_t)(next_random(&state) % 4) : 16;
         redcc_bins_tuning.direct_bins = n % 2 ? 0 : 288;
         redcc_bins_tuning.round = n % 3 ? INT64_MAX : 1 + trip / 3;
         redcc_bins_tuning.least_budget = (size_t)1 << (small ? 32 : 20 + n % 5);
         redcc_bins_tuning.trial = n % 7 ? 0 : n % 2 ? INFINITY : -INFINITY;
-        /* known properties are kept, also for other numbers of threads */
+        /* what an execution has learned is used in the next one, also with other numbers of
+         * threads */
         for (int call = 0; call < 3; call++)
             compare(&data, thread_counts[1 + (n + call) % (COUNTS - 2)]);
         free_data(&data);
@@ -268,8 +269,8 @@ static void random_problems(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* A trial that must lose ends after one round and the sequential stretch. In one that gains, rounds
- * become longer. */
+/* If binning must lose its trial, it ends after one round and the sequential part of the trial. If
+ * it must gain, it continues to the end, in longer rounds. */
 static void trials(void **unused) {
     (void)unused;
     for (int l = 0; l < LOOPS; l++) {
@@ -333,8 +334,8 @@ static void small_integers_are_copied(void **unused) {
     free_data(&data);
 }
 
-/* Rows that are found only because rounds fail, again and again. Rows that do not exist are never
- * copied: behind the array there is no memory. */
+/* Rows outside the expected range are found only because rounds fail, several times. Rows that do
+ * not exist are never copied: no memory is mapped behind the array. */
 static void rows_are_found_late(void **unused) {
     (void)unused;
     enum { TRIP = 600000, STEP = 20000, PAGE = 4096 };
@@ -360,8 +361,8 @@ static void rows_are_found_late(void **unused) {
     redcc_loop_forget(&uint32_sum.descriptor->loop);
 }
 
-/* All work is in the first iterations, or in the last ones: idle threads execute the pieces, which
- * are applied in order. */
+/* All work is in the first or in the last iterations: idle threads execute blocks of it, whose
+ * records are applied in order. */
 static void uneven_iterations(void **unused) {
     (void)unused;
     int stolen = 0;
@@ -379,8 +380,8 @@ static void uneven_iterations(void **unused) {
     assert_true(stolen > 0);
 }
 
-/* Floating sums are never made on copies, even if the descriptor says `exact`: their order matters.
- */
+/* Floating-point sums are never made on copies, even if the descriptor says `exact`, since their
+ * order matters. */
 static void floats_are_never_copied(void **unused) {
     (void)unused;
     struct data data = new_data(&float_said_exact, 500, 20000, UNIFORM, 8);

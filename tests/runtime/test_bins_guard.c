@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Cases in which binning ends, or repeats a round, during a loop: reads that overlap a round's
- * writes, streams that overlap, rows over a large range. Also several arrays in a record, several
- * updates of an array, inner loops. */
+ * writes, streams that overlap, and rows over a large range. The loops have several arrays in a
+ * record, several updates of an array, and inner loops. */
 #include "base/memory.h"
 #include "binned_work.h"
 #include "settings.h"
@@ -36,7 +36,7 @@ static void records_of_several_arrays_and_updates(void **unused) {
     redcc_bins_tuning = usual;
 }
 
-/* From iteration `from` on the loop reads rows of x that it writes. */
+/* From iteration `from` on, the loop reads rows of x that it also writes. */
 static void reads_overlap_from(redcc_int from, redcc_int round) {
     struct work w = work_new(9, 3);
     w.x = now.other + ROWS - X;
@@ -143,7 +143,7 @@ static void streams_overlap(void **unused) {
     assert_int_equal(work_fallbacks(REASON_OUT_OF_STEP), 1);
     w.other = now.other;
     w.x = now.other + ROWS;
-    w.sum = (double *)(void *)now.count; /* arrays of one stream, at one subscript */
+    w.sum = (double *)(void *)now.count; /* two arrays of one stream, at one subscript */
     w.count = now.count + 1;
     assert_false(work_compare(&w, 2));
     assert_int_equal(work_fallbacks(REASON_OUT_OF_STEP), 2);
@@ -165,7 +165,7 @@ static void errors_of_functions(void **unused) {
     work_free(&w);
 }
 
-/* A value fails only until an earlier update has been applied. */
+/* The mathematical function fails for a value only until an earlier update has been applied. */
 static void errors_of_rounds_thrown_away(void **unused) {
     (void)unused;
     struct work w = work_new(8, 3);
@@ -209,7 +209,7 @@ static void rows_far_apart(void **unused) {
     assert_int_equal(redcc_window(&work_loop.streams[1], widest, 0, 2, 1, 1000).rows, 0);
     const struct row_range many = {0, 1 << 20};
     assert_int_equal(redcc_window(&work_loop.streams[1], many, 0, 1, 1, 10).shift,
-                     15); /* the records with a tag */
+                     15); /* the stream whose records have a tag */
     struct work w = work_new(12, 1);
     w.other = (double *)(void *)all;
     w.k[0] = 0;

@@ -32,7 +32,7 @@ static void memory_does_not_suffice(void **unused) {
     }
 }
 
-/* One iteration has half of all records: more than the blocks of a round hold. */
+/* One iteration has half of all records, more than a round's blocks can hold. */
 static void records_are_many_all_at_once(void **unused) {
     (void)unused;
     struct work w = work_new(78, 15);
@@ -44,7 +44,7 @@ static void records_are_many_all_at_once(void **unused) {
         redcc_bins_tuning.least_budget = (size_t)8 << 20;
         assert_true(work_compare(&w, threads));
         assert_int_equal(work_state()->binning.reason, REASON_NONE);
-        /* with several threads, the blocks requested after a failed round suffice */
+        /* with several threads, the blocks allocated after a failed round suffice */
         assert_true(work_state()->binning.rounds >= TRIP / 200 + (threads == 1));
         /* not enough for the heavy iteration */
         redcc_bins_tuning.least_budget = (size_t)threads * 200000;
@@ -70,7 +70,7 @@ static void failing_memory(void **unused) {
             failed = redcc_memory_is_exhausted();
             redcc_memory_fail_after(-1);
             assert_true(failed || done);
-            assert_true(work_compare(&w, threads)); /* again, with memory */
+            assert_true(work_compare(&w, threads)); /* repeats the loop with memory */
             redcc_loop_forget(&work_loop.loop);
             assert_int_equal(redcc_memory_live(), 0);
         }
@@ -88,7 +88,7 @@ static void failing_memory(void **unused) {
     work_free(&w);
 }
 
-/* Memory for other bins is lacking after the first rounds: the rows change in the middle of the
+/* Memory for new bins is lacking after the first rounds: the rows change in the middle of the
  * loop. */
 static void memory_fails_in_the_middle(void **unused) {
     (void)unused;

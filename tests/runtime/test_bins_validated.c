@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* REDCC_VALIDATE=1 with binned loops: correct executions pass; a wrongly applied record is detected
- * in any round, and the results are kept. */
+/* REDCC_VALIDATE=1 with binned loops: correct executions pass. A record that is applied wrongly is
+ * detected in any round, and the wrong results are kept. */
 #include "base/memory.h"
 #include "binned.h"
 #include "bins/window.h"
@@ -47,12 +47,12 @@ static const struct statistics *statistics_of(const struct binned_loop *loop) {
     return &((const struct loop_state *)loop->descriptor->loop.state)->reported.statistics;
 }
 
-/* ---- a planted fault ------------------------------------------------------------------------- */
+/* ---- a deliberate fault ---------------------------------------------------------------------- */
 
 static const redcc_stream *right;
 static long applied_before_fault;
 
-/* Applies one record twice: the first one after the given number of calls. */
+/* Applies records, and after the given number of calls one record a second time. */
 static void apply_wrongly(const redcc_applied *applied) {
     right->apply(applied);
     if (applied->count == 0 || __atomic_fetch_sub(&applied_before_fault, 1, __ATOMIC_RELAXED) != 0)
@@ -165,7 +165,7 @@ static void without_memory_nothing_is_compared(void **unused) {
     assert_in_range(compared, 1, binned - 1);
 }
 
-/* Rows at arbitrary addresses: memory between them must be neither read nor written. */
+/* Rows at arbitrary addresses: the memory between them must be neither read nor written. */
 static void scattered_rows_are_passed_over(void **unused) {
     (void)unused;
     enum { FAR = 50 };
@@ -185,7 +185,7 @@ static void scattered_rows_are_passed_over(void **unused) {
         expected[k[t] % FAR] += values[t];
     }
     const struct binned_problem problem = {.trip = TRIP, .k = address, .value = values, .by = &by};
-    redcc_bins_tuning.round = ROUND; /* several rounds are one execution */
+    redcc_bins_tuning.round = ROUND; /* so that one execution has several rounds */
     assert_true(far.run(&problem, 3, &last));
     for (int r = 0; r < FAR; r++)
         assert_memory_equal(row[r], &expected[r], sizeof(double));

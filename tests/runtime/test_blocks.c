@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Blocks of memory never overlap, whichever thread allocated them; also in a child process. */
+/* Blocks of memory never overlap, whichever threads allocate them, also in a child process. */
 #include "base/blocks.h"
 
 #include <omp.h>
@@ -34,7 +34,7 @@ static bool is_whole(const struct held *held) {
     return held->block[held->bytes - 1] == held->filled;
 }
 
-/* Allocates, fills, checks and frees blocks at random; returns the number of blocks whose contents
+/* Allocates, fills, checks and frees blocks at random. Returns the number of blocks whose contents
  * had changed. */
 static long churn(uint64_t seed, int steps) {
     enum { HELD = 60 };
@@ -96,8 +96,8 @@ static void blocks_of_a_child(void **unused) {
     redcc_block_free(block, bytes, true);
 }
 
-/* Only the system orders the second thread after the first, which race detectors cannot see; the
- * flag does not. */
+/* Only the system orders the second thread after the first one, which race detectors cannot see.
+ * The flag gives them this order. */
 static void the_place_of_another_thread(void **unused) {
     (void)unused;
     atomic_bool is_given = false;

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-/* The largest overdraft, in sequential executions, if a timing may be 30 % too high. */
+/* The largest overdraft, in sequential executions, if a timing is up to 30 % too high. */
 static const double overdraft_most = 1.25 * 1.3 / 0.7;
 
 static double between(double low, double high) {
@@ -23,7 +23,7 @@ struct asked {
     double sequential; /* largest ratio, over all prefixes, of the time less the allowance to the
                           sequential time */
     double best; /* largest ratio of the total time to that of the best strategy in hindsight */
-    int set_ups; /* maximum number of plan constructions; 0: no limit */
+    int set_ups; /* maximum number of plan constructions, or 0 without a limit */
 };
 
 static void check(struct trace *trace, const char *name, struct asked asked) {
@@ -54,8 +54,8 @@ static void stable_loops(void **unused) {
     check(ordinary(2000), "2000", (struct asked){1 + share, 1.03, 2});
 }
 
-/* A loop of 100 ms with long iterations and one strategy; set_up: cost of its plan, in executions.
- */
+/* Returns a loop of 100 ms with long iterations and one strategy. set_up: time of its plan
+ * construction, in executions. */
 static struct trace *heavy(int count, double set_up, double faster) {
     struct trace *trace = ordinary(count);
     const double sequential = 100e-3;
@@ -91,12 +91,12 @@ static void heavy_loops(void **unused) {
     check_gain(heavy(3, 0.6, 1.74), "heavy, 3, set-up of 0.6", 1);
     check_gain(heavy(1, 0.6, 1.74), "heavy, once", 1);
     trace = heavy(40, 1, 1.74);
-    trace->compared = false; /* an overdraft only if little could be lost */
+    trace->compared = false; /* so that an overdraft is allowed only if little can be lost */
     check(trace, "heavy, 40, not compared", (struct asked){1 + share, 1.35, 1});
 }
 
-/* The number of parallel executions of a loop whose first execution takes `first` times as long as
- * the others. */
+/* Returns the number of parallel executions of a loop whose first execution takes `first` times as
+ * long as the others. */
 static int parallel_executions(int count, double first, double faster) {
     struct trace *trace = heavy(count, 0.03, faster);
     trace->call[0].sequential *= first;
@@ -108,7 +108,7 @@ static int parallel_executions(int count, double first, double faster) {
     return it.parallel;
 }
 
-/* The sequential loop is timed a second time: the clearer the plan is faster, the later. */
+/* The sequential loop is timed a second time: the later, the clearer the plan is faster. */
 static void first_executions_take_longer(void **unused) {
     (void)unused;
     assert_int_equal(parallel_executions(40, 1.5, 1.9), 38);
@@ -118,7 +118,8 @@ static void first_executions_take_longer(void **unused) {
     assert_in_range(parallel_executions(400, 3, 0.9), 1, 80);
 }
 
-/* A loop of 100 ms: random updates of a large array with other subscripts in each call, in bins. */
+/* Returns a loop of 100 ms: random updates of a large array, with other subscripts in each call, by
+ * binning. */
 static struct trace *in_bins(int count, double execution) {
     struct trace *trace = heavy(count, 0.5, 1);
     trace->compared = false;
@@ -132,7 +133,7 @@ static struct trace *in_bins(int count, double execution) {
     return trace;
 }
 
-/* Bins without an estimate are tried only if no plan is possible. */
+/* If the time of binning is not estimated, it is tried only if no plan is possible. */
 static void bins_without_an_estimate(void **unused) {
     (void)unused;
     struct trace *trace = in_bins(10, 0.6);
@@ -149,7 +150,8 @@ static void bins_without_an_estimate(void **unused) {
     free(trace);
 }
 
-/* A guard forbids bins, which were faster, in each call, and only after some time. */
+/* From call 100 on a guard forbids binning, which was faster, in each call and only after some
+ * time. */
 static void bins_that_are_refused(void **unused) {
     (void)unused;
     struct trace *trace = in_bins(400, 0.5);
@@ -178,8 +180,8 @@ static void bins_of_uneven_calls(void **unused) {
     free(trace);
 }
 
-/* Bins need no plan: they are tried after two sequential executions and a sample. If they are
- * slower, the loss is a part of one execution. */
+/* Binning needs no plan: it is tried after two sequential executions and a sample. If it is slower,
+ * only a part of one execution is lost. */
 static void bins_on_trial(void **unused) {
     (void)unused;
     check_gain(in_bins(10, 0.4), "bins, 10", 1.9);
@@ -201,7 +203,7 @@ static void bins_on_trial(void **unused) {
                 fail_msg("bins, %g times as slow, are tried again too often", slower[s]);
             free(trace);
         }
-    struct trace *trace = in_bins(40, 0.4); /* another process had a core in the first trial */
+    struct trace *trace = in_bins(40, 0.4); /* in the first trial another process used a core */
     trace->call[2].execution[WAY_BINS] = 3 * trace->call[2].sequential;
     check_gain(trace, "bins, the first trial slow", 1.9);
     trace = in_bins(3, 1.6); /* the sample leaves less credit than a trial may lose */
@@ -210,8 +212,8 @@ static void bins_on_trial(void **unused) {
     free(trace);
 }
 
-/* Bins seemed the best strategy but were not: the next best is used, and bins are not tried again.
- */
+/* Binning seemed the best strategy but was not. The next best is used, and binning is not tried
+ * again. */
 static void what_has_failed_is_not_tried_again(void **unused) {
     (void)unused;
     struct trace *trace = heavy(40, 0.3, 1.74);
@@ -226,7 +228,7 @@ static void what_has_failed_is_not_tried_again(void **unused) {
     free(trace);
 }
 
-/* A strategy without a plan, for which subscripts may change; and one that is slower. */
+/* A strategy without a plan, which changes of subscripts do not affect, and a slower one. */
 static void without_a_set_up(void **unused) {
     (void)unused;
     static const int counts[] = {3, 10, 40, 400};
@@ -247,7 +249,7 @@ static void without_a_set_up(void **unused) {
         }
 }
 
-/* The overdraft is lost once, and not again before a plan construction has paid. */
+/* The overdraft is lost once, and not again before a plan construction has paid off. */
 static void subscripts_that_change_after_the_first_reuse(void **unused) {
     (void)unused;
     for (int hidden = 0; hidden < 2; hidden++)
@@ -261,7 +263,7 @@ static void subscripts_that_change_after_the_first_reuse(void **unused) {
                      hidden ? ", hidden" : "");
             check(trace, name, (struct asked){1 + share, 1.22, 0});
         }
-    struct trace *trace = heavy(2000, 0.6, 1.74); /* and never again */
+    struct trace *trace = heavy(2000, 0.6, 1.74); /* after that the subscripts never change */
     for (int c = 3; c < trace->count; c++)
         trace->call[c].subscripts = 1;
     check(trace, "changes once, after the first reuse", (struct asked){1 + share, 1.05, 2});
@@ -284,8 +286,8 @@ static void loops_that_never_gain(void **unused) {
     check(trace, "short", (struct asked){1, 2, 1});
 }
 
-/* Each sample follows a dry run that takes an unknown time, here this many executions. A dry run
- * that does not end within the credit is stopped. */
+/* A dry run of unknown length, here `executions` executions, precedes each sample. A dry run that
+ * does not end within the credit is stopped. */
 static void check_dry_run(double executions, double parallel, double best, int stopped) {
     struct trace *trace = ordinary(2000);
     char name[64];
@@ -312,8 +314,8 @@ static void dry_runs(void **unused) {
     check_dry_run(5, 2, 1.02, 1);
 }
 
-/* Springs of a sorted mesh: 4 ms per execution, twice as much for the first. A plan construction
- * takes half an execution. Nothing compares the subscripts. */
+/* Springs of a sorted mesh: 4 ms per execution, and twice as much for the first one. A plan
+ * construction takes half an execution. Nothing compares the subscripts. */
 static void a_light_loop_whose_subscripts_stay(void **unused) {
     (void)unused;
     static const struct {
@@ -334,7 +336,7 @@ static void a_light_loop_whose_subscripts_stay(void **unused) {
     }
 }
 
-/* The system has no core for the threads at first, so that a sample takes longer. */
+/* At first the system has no core for the threads, so a sample takes longer. */
 static void threads_that_start_late(void **unused) {
     (void)unused;
     struct trace *trace = heavy(10, 0.06, 1.9);
@@ -345,14 +347,14 @@ static void threads_that_start_late(void **unused) {
     trace->set_up_error = 0.2;
     assert_int_equal(simulate(trace).stopped, 0);
     free(trace);
-    trace = ordinary(4); /* one thread takes the sample and waits for no other */
+    trace = ordinary(4); /* one thread takes the sample without waiting for others */
     trace->start = 0.1e-3;
     trace->late = 40e-3;
     assert_true(simulate(trace).slowest < 1.02);
     free(trace);
 }
 
-/* Two of millions of keys change before each call, which samples miss. */
+/* Before each call two of millions of keys change, which samples miss. */
 static void samples_that_mislead(void **unused) {
     (void)unused;
     for (int count = 1; count <= 200; count++) {
@@ -395,7 +397,7 @@ static void noise(void **unused) {
     }
 }
 
-/* The same noise with other random numbers: the rule still holds. */
+/* The same noise with other random numbers must satisfy the same bounds. */
 static void noise_of_many_kinds(void **unused) {
     (void)unused;
     for (int gain = 0; gain < 4; gain++) {
@@ -433,7 +435,7 @@ static void drift(void **unused) {
     }
 }
 
-/* Another program takes a core for a second: each thread's half takes twice as long. */
+/* For a second another program takes a core, so each thread's half takes twice as long. */
 static void a_neighbour(void **unused) {
     (void)unused;
     struct trace *trace = ordinary(2000);
@@ -461,8 +463,8 @@ static void what_was_faster_no_longer_is(void **unused) {
     check(trace, "the sequential loop becomes fast", (struct asked){1 + share, 0.88, 3});
 }
 
-/* The number of calls from `begin` on that are not executed by a plan. From call 600 on the
- * subscripts differ (others), or the sequential loop is faster for 400 calls (faster). */
+/* Returns the number of calls from `begin` on that no plan executes. From call 600 on the
+ * subscripts differ (`others`), or the sequential loop is faster for 400 calls (`faster`). */
 static int sequential_from(int begin, bool others, bool faster) {
     int parallel[2];
     for (int whole = 0; whole < 2; whole++) {
@@ -478,7 +480,7 @@ static int sequential_from(int begin, bool others, bool faster) {
 }
 
 /* The sequential loop is timed after 52 executions by this plan, then after 105, 209 and 419 more.
- * The distances start again with another plan, and after the sequential loop was faster. */
+ * These numbers start again with another plan, and after the sequential loop was faster. */
 static void the_sequential_loop_is_timed_again(void **unused) {
     (void)unused;
     assert_int_equal(sequential_from(30, false, false), 3 + 3);

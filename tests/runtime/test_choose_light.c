@@ -40,7 +40,7 @@ static void check_light(const char *name, double execution, double error, int ev
     free(trace);
 }
 
-/* No plan is constructed if starting the threads alone would cost more than trials may. */
+/* No plan is constructed if starting the threads alone would cost more than trials may cost. */
 static void check_threads_that_start_slowly(void) {
     struct trace *trace = ordinary(400);
     trace->start = 0.2;
@@ -60,7 +60,7 @@ static void light_loops(void **unused) {
     check_light("light, other subscripts each call, no gain", 1.05, 3, 1);
 }
 
-/* Seconds of each execution: sequentially, and by a plan. */
+/* Sets the seconds of each execution: sequentially, and by a plan. */
 static void set_all(struct trace *trace, double sequential, double by_plan) {
     for (int c = 0; c < trace->count; c++) {
         trace->call[c].sequential = sequential;
@@ -68,8 +68,8 @@ static void set_all(struct trace *trace, double sequential, double by_plan) {
     }
 }
 
-/* A light loop whose sampled subscripts stay the same: 2.5 ms per execution, half of it by a plan,
- * whose construction takes 2.5 ms. */
+/* Returns a light loop whose sampled subscripts stay the same: 2.5 ms per execution, half of that
+ * by a plan, whose construction takes 2.5 ms. */
 static struct trace *light(int count) {
     struct trace *trace = ordinary(count);
     trace->possible[WAY_GRAPH] = false;
@@ -80,8 +80,8 @@ static struct trace *light(int count) {
     return trace;
 }
 
-/* At first each execution takes 0.94 of the preceding one, in the end half of the first. A plan
- * gains less than expected, but repays its construction. */
+/* At first each execution takes 0.94 of the time of the preceding one, and finally half of the
+ * first one's time. A plan gains less than expected, but repays its construction. */
 static void a_loop_that_becomes_faster(void **unused) {
     (void)unused;
     for (int count = 10; count <= 40; count += 30) {
@@ -100,8 +100,8 @@ static void a_loop_that_becomes_faster(void **unused) {
 }
 
 /* A loop of 0.3 ms, for which a sample is expensive: the credit covers it after some tens of
- * executions, and then an overdraft. A loop for which waking threads takes a sixteenth of its time
- * stays sequential. */
+ * executions, and then an overdraft does. If waking threads takes a sixteenth of a loop's time, the
+ * loop stays sequential. */
 static void short_loops(void **unused) {
     (void)unused;
     for (int again = 0; again < 2; again++) {
@@ -119,8 +119,9 @@ static void short_loops(void **unused) {
     }
 }
 
-/* Every call except that with the sample is found to be sequential without a query about threads:
- * the calls that save for the sample, and those of a loop whose threads or plans cost too much. */
+/* In all calls but the one with the sample, the loop is found to be sequential without a query
+ * about threads. These are calls that save for the sample, or calls of a loop whose threads or
+ * plans cost too much. */
 static void little_is_asked(void **unused) {
     (void)unused;
     struct trace *trace = light(40);
@@ -136,8 +137,8 @@ static void little_is_asked(void **unused) {
     free(trace);
 }
 
-/* Executions of 14 ms whose subscripts are compared: the credit of the second call covers the
- * sample, and an overdraft covers the threads. So the plan is constructed at once. */
+/* Executions of 14 ms whose subscripts are compared. The second call has enough credit to inspect a
+ * sample, and may exceed it to start the threads. So the plan is constructed at once. */
 static void threads_are_lent_for_a_look(void **unused) {
     (void)unused;
     struct trace *trace = light(10);
@@ -173,7 +174,7 @@ static void a_plan_that_repays(void **unused) {
     assert_int_equal(faster.set_ups, 1);
     assert_in_range(faster.parallel, 32, 36);
     const int first = trace->count - faster.parallel;
-    /* an interruption; all executions together still gain */
+    /* an interruption, but all executions together still gain */
     trace->call[first + 2].execution[WAY_INDEX] = 3.2e-3;
     assert_int_equal(simulate(trace).parallel, faster.parallel);
     for (int c = first + 1; c < trace->count; c++)
@@ -182,10 +183,10 @@ static void a_plan_that_repays(void **unused) {
     free(trace);
 }
 
-/* Pairs in tiles while other processes run: 2.8 ms, or 1.9 ms with two threads, each of which may
- * lose its core for some milliseconds. This happens in a fraction `often` of the executions, and in
- * one of three in calls `begin` to `end`. It happens half as often to the sequential loop. Bins are
- * slower. */
+/* Returns a loop over pairs, while other processes run: 2.8 ms, or 1.9 ms in tiles with two
+ * threads, each of which may lose its core for some milliseconds. This happens in a fraction
+ * `often` of the executions, and in one of three in calls `begin` to `end`. It happens half as
+ * often to the sequential loop. Binning is slower. */
 static struct trace *stopped_at_times(uint64_t seed, double often, int begin, int end) {
     struct trace *trace = light(800);
     random_state = seed * 0x9e3779b97f4a7c15u;
@@ -234,9 +235,9 @@ static void stops_say_nothing_of_a_plan(void **unused) {
     }
 }
 
-/* Bins, tried first because iterations are too heavy for an inspection, gain a fifth. The gains pay
- * for a sample, which finds a faster plan if there is one. A sample with a long dry run ends at a
- * separate deadline, and one that a guard ends is not repeated. */
+/* Iterations are too heavy for an inspection, so binning is tried first and gains a fifth. The
+ * gains pay for a sample, which finds a faster plan if there is one. A sample with a long dry run
+ * ends at a separate deadline. A sample that a guard ends is not repeated. */
 static void bins_are_not_the_end(void **unused) {
     (void)unused;
     static const struct {
@@ -262,7 +263,7 @@ static void bins_are_not_the_end(void **unused) {
         assert_true(it.total < asked[i].wanted * it.sequential);
         assert_true(it.slowest <= 1 + share);
         assert_int_equal(it.looks, asked[i].refused);
-        trace->count = 6; /* too few calls to repay an execution without bins */
+        trace->count = 6; /* too few calls to repay an execution without binning */
         assert_int_equal(simulate(trace).parallel, 4);
         free(trace);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The bounds of docs/choosing.md, on 10,000 random simulated loops, the worst that a search finds,
- * and the worst found so far. */
+/* The bounds of docs/choosing.md on 10,000 random simulated loops, on the worst that a search
+ * finds, and on the worst found so far. */
 #include "choose_traces.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ static struct trace *loop_of(const struct digits *digits, double noise) {
     trace->hidden = like[9] < '5';
     trace->compared = like[10] < '5';
     trace->block = 0.01 * sequential;
-    trace->possible[WAY_BINS] = like[7] % 2 == 1; /* bins fit any subscripts */
+    trace->possible[WAY_BINS] = like[7] % 2 == 1; /* binning suits any subscripts */
     trace->start = like[11] < '5' ? 0 : 4 * part(like[11]) * sequential;
     int subscripts = 0;
     for (int c = 0; c < trace->count; c++) {
@@ -77,7 +77,7 @@ static struct digits random_digits(void) {
 static void random_loops(void **unused) {
     (void)unused;
     random_state = 88172645463325252u;
-    double worst[2] = {0, 0}, best[2] = {0, 0}; /* without noise, and with */
+    double worst[2] = {0, 0}, best[2] = {0, 0}; /* without noise, and with noise */
     for (int loop = 0; loop < 10000; loop++) {
         const struct digits digits = random_digits();
         struct trace *trace = loop_of(&digits, loop % 2 ? 0.3 * uniform() : 0);
@@ -93,10 +93,10 @@ static void random_loops(void **unused) {
     /* untimed executions are known only approximately */
     assert_true(worst[1] <= (1 + share) * 1.005);
     assert_true(best[0] <= fastest * (1 + share));
-    assert_true(best[1] <= fastest * (1 + share) * 1.1); /* noise may make plans even faster */
+    assert_true(best[1] <= fastest * (1 + share) * 1.1); /* with noise plans may be even faster */
 }
 
-/* The quantity that a search maximises. */
+/* Returns the quantity that the search maximises. */
 static double badness(const struct digits *digits, bool against_best) {
     struct trace *trace = loop_of(digits, 0);
     const struct simulated it = simulate(trace);
@@ -119,7 +119,7 @@ static struct digits mutated(struct digits it) {
     return it;
 }
 
-/* Hill climbing from random loops. */
+/* Searches for bad loops by hill climbing from random loops. */
 static struct digits search(int climbs, int steps, bool against_best, double *worst) {
     struct digits found = random_digits();
     *worst = 0;
@@ -157,7 +157,7 @@ static void loops_made_to_be_bad(void **unused) {
     }
 }
 
-/* What the search has found in 400,000 steps. */
+/* The worst loops that the search has found in 400,000 steps. */
 static void the_worst_found(void **unused) {
     (void)unused;
     static const struct digits worst[] = {

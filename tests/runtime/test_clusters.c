@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Clusters of the access graph, compared after each round with direct counts: for a mesh, a path
+/* Clusters of the access graph are compared with direct counts after each round, for a mesh, a path
  * and random iterations, with one thread and with several. */
 #include "ownership/graph/clusters.h"
 
@@ -16,7 +16,7 @@
 
 enum { UNITS = 900, ITERATIONS = 2000, MOST_EACH = 6, THREADS_MOST = 5 };
 
-/* The units that iterations touch, each once. */
+/* The units that each iteration touches, each unit once. */
 struct touched {
     int iterations;
     uint32_t count[ITERATIONS];
@@ -28,7 +28,7 @@ static void add(struct touched *it, uint32_t count, const uint32_t *unit) {
     memcpy(it->unit[it->iterations++], unit, count * sizeof *unit);
 }
 
-/* Two triangles a square of 30 x 30 nodes; every tenth iteration touches nothing. */
+/* Makes two triangles per square of 30 x 30 nodes; every tenth iteration touches nothing. */
 static void make_mesh(struct touched *it) {
     for (uint32_t node = 0; node + 31 < UNITS; node++) {
         if (node % 30 == 29)
@@ -40,7 +40,7 @@ static void make_mesh(struct touched *it) {
     }
 }
 
-/* The mesh, and a unit that all iterations touch; its cluster is soon full. */
+/* Makes the mesh and a unit that all iterations touch, whose cluster is soon full. */
 static void make_hub(struct touched *it) {
     make_mesh(it);
     for (int i = 0; i < it->iterations; i++)
@@ -52,7 +52,8 @@ static void make_path(struct touched *it) {
         add(it, 2, (const uint32_t[]){node, node + 1});
 }
 
-/* Random touches: some units are never touched, one by every second iteration. */
+/* Makes random touches: some units are never touched, and one is touched by every second
+ * iteration. */
 static void make_random(struct touched *it) {
     unsigned long random = 88172645463325252u;
     for (int i = 0; i < ITERATIONS; i++) {
@@ -88,7 +89,7 @@ static uint32_t root_of(uint32_t *parent, uint32_t unit) {
     return unit;
 }
 
-/* Iterations connect all units of a cluster within it. */
+/* Checks that iterations connect all units of a cluster within it. */
 static void check_connected(const struct touched *it, const struct clusters *clusters) {
     uint32_t parent[UNITS];
     for (uint32_t unit = 0; unit < UNITS; unit++)
@@ -154,8 +155,8 @@ static void check_lists(const struct touched *it, const struct clusters *cluster
     assert_int_equal(at, clusters->share[thread].list.count);
 }
 
-/* Joins clusters until there are few enough; returns the number of rounds, and sets `of` [UNITS].
- */
+/* Joins clusters until there are at most `most`. Returns the number of rounds, and sets `of`
+ * [UNITS] to the units' clusters. */
 static int cluster(const struct touched *it, uint32_t most, int threads, uint32_t *of,
                    uint32_t *count) {
     static struct access_log logged[THREADS_MOST];
@@ -187,7 +188,7 @@ static int cluster(const struct touched *it, uint32_t most, int threads, uint32_
 }
 
 /* Checks that clusters are the same with any number of threads, and that there are at most
- * `count_most` after at least this number of rounds. */
+ * `count_most` after at least `rounds_least` rounds. */
 static void check_all(void (*make)(struct touched *), uint32_t most, uint32_t count_most,
                       int rounds_least) {
     struct touched *it = calloc(1, sizeof *it);
@@ -227,7 +228,7 @@ static void random_iterations(void **unused) {
     check_all(make_random, 64, 120, 1);
 }
 
-/* Lists accept any number of items; logging stops at a limit. */
+/* Lists grow to any number of items; logging stops at a limit. */
 static void lists_grow(void **unused) {
     (void)unused;
     struct unit_list list = {0};
@@ -263,7 +264,7 @@ static void end_told(struct access_log *logged, struct units *units, struct part
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Two rows per iteration; the preceding iteration has touched the first. */
+/* Records two rows per iteration; the preceding iteration has touched the first of them. */
 static void tell_rows(struct access_log *logged, uint32_t first, uint32_t end) {
     for (uint32_t r = first; r < end; r++) {
         const redcc_entry entries[] = {{row + 8 * r, 0, 8},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One loop in two user threads at once, and inside a parallel region: it runs serially and
- * correctly or, for a method with another order, by one thread in that order. */
+/* One loop in two user threads at once, and inside a parallel region. The loop runs serially and
+ * correctly or, by a method with another order, in one thread in that order. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -17,8 +17,8 @@
 
 enum { CALLS = 30 };
 
-/* A method whose order differs from the loop's always runs by a plan, and so do compensated sums,
- * since the bits must always be the same. */
+/* Does a plan execute the loop in any case? It does for a method whose order differs from the
+ * loop's, and for compensated sums, since the bits must always be the same. */
 static bool always_plans(void) {
     const struct settings *settings = redcc_settings();
     return settings->compensated || settings->method->keeps == REDCC_ORDER_FIXED;
@@ -33,8 +33,8 @@ struct user {
     long parallel;
 };
 
-/* Exact values or, if the method always gives the same bits, inexact ones; the expected result is
- * then that of three threads. */
+/* Values are exact or, if the method always gives the same bits, inexact. In that case the expected
+ * result is that of three threads. */
 static void user_begin(struct user *user, int number, struct described *described) {
     user->problem = problem_new(number, !always_plans());
     user->described = described;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A crew (base/crew.h): a task is executed by as many threads as are asked for, each once. */
+/* Tests base/crew.h: a task is executed by as many threads as requested, and once by each of
+ * them. */
 #include "base/crew.h"
 
 #include <omp.h>
@@ -32,7 +33,7 @@ static void work_of_some(redcc_crew *crew) {
         atomic_fetch_add(&wrong, 1);
 }
 
-/* With 5 threads, tasks are for 5, 4, 3 and 2 of them. */
+/* With 5 threads in all, tasks request 5, 4, 3 and 2 of them. */
 static void tasks_of_fewer_threads(void **state) {
     (void)state;
     enum { ROUNDS = 50 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Dry runs: the runtime never accepts a read of an element updated earlier, and no run ends early
- * if reads and updates are disjoint. The loop, which is not executed:
+/* Dry runs: the runtime never accepts a read of an element that was updated earlier, and no dry run
+ * ends early if reads and updates are disjoint. The loop, which is recorded but not executed:
  *
  *     for (t = 0; t < TRIP; t++) {
  *         pool[at[0][t]] is read;  pool[at[1][t]] is updated
@@ -42,7 +42,7 @@ static bool is_dry(const redcc_worker *worker) {
     return worker->alike < 0;
 }
 
-/* False: the run is over. */
+/* Returns false if the dry run is over. */
 static bool read_one(redcc_worker *worker, redcc_u32 source, int place) {
     redcc_read(worker, source, &pool[place], sizeof *pool);
     if (redcc_is_over(worker, source))
@@ -98,7 +98,7 @@ static int below(int limit) {
     return (int)((random_state >> 33) % (unsigned long)limit);
 }
 
-/* Places in [first, first + length), in one of several orders. */
+/* Fills places in [first, first + length), in one of several orders. */
 static void fill(int *place, int first, int length) {
     const int order = below(5);
     for (int t = 0; t < TRIP; t++) {
@@ -112,7 +112,7 @@ static void fill(int *place, int first, int length) {
     }
 }
 
-/* Ranges next to each other, in any order, some at a small distance. */
+/* Fills adjacent ranges in any order, some with a small distance between them. */
 static void fill_apart(void) {
     int order[PLACES] = {0, 1, 2, 3}, first = below(100);
     for (int i = PLACES - 1; i > 0; i--) {
@@ -140,7 +140,7 @@ static void nothing_ends_what_is_apart(void **unused) {
     assert_true(dry_runs < 2 * TRIALS);
 }
 
-/* Places one or more reads of updated elements at random. */
+/* Makes one or more reads of updated elements, at random places. */
 static void no_stale_read_passes(void **unused) {
     (void)unused;
     stale_reads = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Every operator and type: the method that REDCC_METHOD names against the sequential loop, with
- * values for which any order of the contributions gives the same bits. */
+/* Every operator and type: the method named by REDCC_METHOD is compared with the sequential loop,
+ * on values whose sums have the same bits in any order. */
 #include "base/memory.h"
 #include "loop.h"
 #include "plan/elements.h"
@@ -43,8 +43,8 @@ static int row[TRIP];
 #define BITS_OR(b, x) b |= x
 #define BITS_XOR(b, x) b ^= x
 
-/* Contributions: small numbers; for products mostly ones and few twos, so that nothing overflows.
- */
+/* Contributions: small numbers, or for products mostly ones and few twos, so that nothing
+ * overflows. */
 #define SMALL(t) ((t)*37 % 19 - 9)
 #define UNSIGNED(t) ((t)*37 % 19)
 #define TWOS(t) ((t) % 300 == 7 ? 2 : 1)
@@ -94,7 +94,7 @@ static int row[TRIP];
       ((double)SMALL(t) + (double)(t % 5) * I))                                                    \
     X(complex_double_product, double complex, REDCC_PRODUCT, REDCC_DOUBLE_COMPLEX, MULTIPLY, I)
 
-/* A row is {element, GAP others}. The others have arbitrary bytes and must not change. */
+/* A row consists of the element and GAP others, which have arbitrary bytes and must not change. */
 #define KERNEL(NAME, T, OPERATION, TYPE, UPDATE, VALUE)                                            \
     static int run_##NAME(redcc_loop *loop, T(*array)[1 + GAP], int threads) {                     \
         void *const bases[] = {array};                                                             \
@@ -155,7 +155,7 @@ static int row[TRIP];
     }
 ALL(KERNEL)
 
-/* Merging a copy to which nothing was added leaves each element exactly unchanged. */
+/* Merging a copy to which nothing was added must leave each element unchanged, bit for bit. */
 static void neutral_elements_change_nothing(void **unused) {
     (void)unused;
     for (int type = 0; type < REDCC_OTHER_TYPE; type++)
@@ -177,8 +177,8 @@ static void neutral_elements_change_nothing(void **unused) {
         }
 }
 
-/* Copies drained piece by piece give the same bits as copies merged one after the other, and are
- * neutral afterwards. The doubles give different sums in different orders. */
+/* Copies that are drained piece by piece give the same bits as copies merged one after another, and
+ * are neutral afterwards. The doubles are such that another order gives another sum. */
 static void drained_copies_are_merged_in_order(void **unused) {
     (void)unused;
     enum { ELEMENTS = 2500, COPIES = 3 };
@@ -205,7 +205,7 @@ static void drained_copies_are_merged_in_order(void **unused) {
     }
 }
 
-/* Two threads increment elements that start at each possible value. */
+/* Two threads increment elements that start at each possible value and stop at `limit`. */
 #define STOPS_AT(NAME, T, TYPE, LOWEST, HIGHEST)                                                   \
     static void NAME##_stops_at(T limit) {                                                         \
         const struct element_rule *rule = redcc_element_rule(REDCC_SATURATING, TYPE);              \
@@ -261,7 +261,7 @@ static void signed_zeros(void **unused) {
     assert_memory_equal(array, expected, sizeof array);
 }
 
-/* Iterations that find no smaller value store nothing: the page is read-only. */
+/* An iteration that finds no smaller value stores nothing: the page is read-only. */
 static void a_minimum_stores_only_what_is_less(void **unused) {
     (void)unused;
     const void *page = mmap(NULL, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -275,7 +275,7 @@ static void a_minimum_stores_only_what_is_less(void **unused) {
     munmap((void *)page, 4096);
 }
 
-/* Neither do iterations that find a counter at its limit. */
+/* An iteration that finds a counter at its limit stores nothing either. */
 static void a_counter_at_its_limit_is_not_stored(void **unused) {
     (void)unused;
     int *page = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Effects of the variables REDCC_... on a program: the example of docs/generated-code.md.
- * Arguments: the same program without OpenMP, one whose owner-checked form writes nothing, then the
- * program with OpenMP, by each compiler. */
+/* Effects of the variables REDCC_... on the example program of docs/generated-code.md. Arguments:
+ * the program without OpenMP, one whose owner-checked form writes nothing, and then the program
+ * with OpenMP, built by each compiler. */
 #include <jansson.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +17,7 @@
 enum { LONGEST = 4096 };
 
 static const char *plain, *broken;
-static char **programs; /* NULL at the end */
+static char **programs; /* NULL marks the end */
 static char folder[64] = "/tmp/redcc-environment-XXXXXX";
 
 struct outcome {
@@ -227,7 +227,7 @@ static void validation_is_passed(void **unused) {
                  methods[m]);
         const struct outcome looked_at = run(variables, programs[0], "5000 3");
         assert_int_equal(looked_at.status, 0);
-        if (strcmp(methods[m], "atomic") != 0) /* atomic has different bits in each run */
+        if (strcmp(methods[m], "atomic") != 0) /* atomic gives other bits in each run */
             assert_string_equal(looked_at.text, alone.text);
         const bool serial = strcmp(methods[m], "serial") == 0;
         assert_non_null(strstr(looked_at.errors,
@@ -243,7 +243,7 @@ static void validation_is_passed(void **unused) {
     }
 }
 
-/* auto begins with the sequential loop. Under validation even the first call runs in parallel,
+/* auto begins with the sequential loop. With REDCC_VALIDATE=1 even the first call runs in parallel,
  * since it may be the only one. */
 static void validation_of_a_loop_executed_once(void **unused) {
     (void)unused;
@@ -292,7 +292,7 @@ static void what_is_traced(void **unused) {
     assert_non_null(strstr(found.errors, "redcc: execution: springs.c:4 (springs): 6000 iter"));
     assert_null(strstr(found.errors, "choice"));
     found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=spare-localwrite", programs[0],
-                "2000 1"); /* an older name of the method */
+                "2000 1"); /* `spare-localwrite` is an older name of the method */
     assert_non_null(strstr(found.errors, "built: localwrite-steal"));
     found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=spare-graph-localwrite",
                 programs[0], "2000 1");
@@ -352,8 +352,8 @@ static void the_report_says_what_was_done(void **unused) {
     json_decref(report);
 }
 
-/* Compensated sums have the same bits at every thread count, which differ from those of plain sums.
- */
+/* Compensated sums have the same bits at every thread count. These bits differ from those of plain
+ * sums. */
 static void compensated_sums(void **unused) {
     (void)unused;
     const struct outcome one =
@@ -383,7 +383,7 @@ static int threads_of(const char *variables, const char *arguments) {
     return threads;
 }
 
-/* Few iterations are not worth waking threads for, and in the first call no time is known. A named
+/* Few iterations do not repay waking threads, and before the first call no time is known. A named
  * method always runs. */
 static void compensated_sums_of_few_iterations(void **unused) {
     (void)unused;
@@ -400,7 +400,7 @@ static void expect_least_trip(const char *variables, const char *expected) {
         fail_msg("%s: not '%s': %s", variables, expected, found.text);
 }
 
-/* Explicit settings apply at any trip count. */
+/* Explicit settings hold for any trip count. */
 static void few_short_iterations(void **unused) {
     (void)unused;
     expect_least_trip("", "131072 unasked, from 1024\n");
@@ -439,7 +439,7 @@ static void the_report_says_what_binds_the_threads(void **unused) {
     json_decref(report);
 }
 
-/* auto's first call is the original loop, which is timed; all calls are, if the loop is short. */
+/* auto's first call is the original loop, which is timed. If the loop is short, all calls are. */
 static void the_report_says_what_the_sequential_loop_took(void **unused) {
     (void)unused;
     json_t *report = report_of("OMP_NUM_THREADS=3", "50000 1");
@@ -458,7 +458,8 @@ static void the_report_says_why_not(void **unused) {
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=serial", "named-serial", "says serial", 5);
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=24K", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
-    /* a limit that permits no plan affects neither the report nor methods of single loops */
+    /* a memory limit that prevents every plan changes neither the report nor the methods of single
+     * loops */
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite REDCC_MEMORY_LIMIT=1", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
 }

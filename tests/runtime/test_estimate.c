@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Statistics of an iteration from a sample, and the expected cost of owners cut from the access
- * graph. */
+/* Statistics of an iteration from a sample, and the estimated cost of cutting owners from the
+ * access graph. */
 #include "choose/cost_model.h"
 #include "ownership/cuts.h"
 #include "ownership/estimate.h"
@@ -18,8 +18,8 @@ static double force[ELEMENTS + 2][3], block[2 * ELEMENTS][9];
 static const redcc_array arrays[ARRAYS] = {{"force", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *force, 0},
                                            {"block", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *block, 0}};
 
-/* Element t adds to force[t] twice, to force[t + 1] and force[t + 2], and to two blocks of element
- * t, recorded as one touch. */
+/* Records element t: it adds to force[t] twice, to force[t + 1] and force[t + 2], and to two blocks
+ * of element t, which are recorded as one touch. */
 static void take_elements(struct sample *sample) {
     assert_true(redcc_sample_begin(sample, (size_t)8 * ELEMENTS, 0));
     for (int t = 0; t < ELEMENTS; t++) {
@@ -60,8 +60,8 @@ static void rows_of_the_leading_group_count_apart(void **unused) {
 }
 
 /* Measured seconds of cutting owners with 2 threads on two cores of an AMD EPYC (family 26), for
- * the loops of the cloth simulator on its large mesh, shuffled. One run of each (REDCC_TRACE=plan);
- * for bending the median of three, 0.099 to 0.141. */
+ * the loops of the cloth simulator on its large mesh, shuffled. Each is one run (REDCC_TRACE=plan);
+ * bending is the median of three runs, 0.099 to 0.141 s. */
 struct cutting {
     long long trip;
     double leading_rows, further_rows, seconds;
@@ -74,7 +74,7 @@ static const struct cutting measured[] = {
     {651387, 4, 10, 0.120}, /* bending */
 };
 
-/* The estimate is slightly above the measured time, because an underestimate would begin useless
+/* The estimate must be slightly above the measured time, since an underestimate would begin useless
  * work. */
 static void cutting_is_expected_to_take_as_long_as_it_took(void **unused) {
     (void)unused;

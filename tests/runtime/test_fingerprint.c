@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Fingerprints: no change of the bytes is missed. */
+/* Fingerprints: every change of the bytes changes the fingerprint. */
 #include "reuse/fingerprint.h"
 
 #include <setjmp.h>
@@ -22,7 +22,7 @@ static void a_fingerprint_sees_every_bit(void **unused) {
     }
 }
 
-/* The same bit flipped in two words: a multiplication alone would lose the highest one. */
+/* Flips the same bit in two words. A product alone would lose changes of the highest bit. */
 static void a_fingerprint_sees_two_changes(void **unused) {
     (void)unused;
     enum { WORDS = 160 };
@@ -39,7 +39,7 @@ static void a_fingerprint_sees_two_changes(void **unused) {
             }
 }
 
-/* Words that change places, as when elements of a mesh are reordered. */
+/* Exchanges words, as when elements of a mesh are reordered. */
 static void a_fingerprint_sees_what_changes_places(void **unused) {
     (void)unused;
     enum { EDGES = 300 };
@@ -72,8 +72,9 @@ static unsigned long splitmix64(unsigned long *state) {
     return mixed ^ mixed >> 31;
 }
 
-/* Contents constructed for a known key, the numbers of splitmix64 from 0: with it all products are
- * 0, and only sums remain, in which the upper halves of two words may be swapped. */
+/* Contents constructed for a known key, the numbers of splitmix64 from 0. With that key all
+ * products are 0 and only sums remain, so the upper halves of two words could be exchanged
+ * unnoticed. */
 static void a_fingerprint_has_a_secret(void **unused) {
     (void)unused;
     enum { STRIPES = 16, WORDS = 8 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Ownership cut from the access graph, on shuffled meshes: with REDCC_METHOD=graph-localwrite, and
- * without it. */
+/* Owners cut from the access graph of shuffled meshes, with and without
+ * REDCC_METHOD=graph-localwrite. */
 #include "base/memory.h"
 #include "loop.h"
 #include "ownership/graph/bisect.h"
@@ -17,7 +17,7 @@
 
 enum { NODES_AN_ITERATION = 3 };
 
-/* A sheet of side * side nodes, two triangles a square. */
+/* A sheet of side * side nodes, with two triangles per square. */
 struct mesh {
     int side;
     int sheets;      /* number of separate sheets */
@@ -39,7 +39,7 @@ static int *shuffled(int count, unsigned long *random) {
     return place;
 }
 
-/* Sides are numbered by their lower node: along, up, and across the square. */
+/* Numbers a triangle side by its lower node and its direction: along, up or across the square. */
 static int side_of(int a, int b, int side) {
     const int low = a < b ? a : b, apart = a < b ? b - a : a - b;
     return 3 * low + (apart == 1 ? 0 : apart == side ? 1 : 2);
@@ -89,9 +89,9 @@ static struct problem mesh_problem(const struct mesh *mesh) {
     return problem;
 }
 
-/* Runs the loop twice, compares all bits with the oracle and checks the plan. Returns the executed
- * iterations divided by those of the loop; *most: those of the most loaded thread divided by an
- * equal share. */
+/* Runs the loop twice, compares all bits with the expected result and checks the plan. Returns the
+ * number of executed iterations divided by the trip count. Sets *most to the iterations of the most
+ * loaded thread divided by an equal share. */
 static double replication(const struct mesh *mesh, int threads, double *most) {
     struct problem problem = mesh_problem(mesh);
     struct described described;
@@ -160,7 +160,7 @@ static void iterations_that_update_nothing(void **unused) {
     assert_true(replication(&mesh, 4, &most) < 1.0);
 }
 
-/* All iterations need the hub's owner, but the other rows are still divided. */
+/* All iterations need the owner of row 0, but the other rows are still divided. */
 static void a_row_that_all_update(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 60, .sheets = 1, .hub = true};
@@ -168,7 +168,7 @@ static void a_row_that_all_update(void **unused) {
     assert_true(replication(&mesh, 4, &most) < 2.0);
 }
 
-/* The same loop and number of owners give the same plan, run by run. */
+/* The same loop and number of owners must give the same plan, run by run. */
 static void a_division_depends_on_the_loop_alone(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 30, .sheets = 1, .two_arrays = true};
@@ -223,7 +223,8 @@ static void a_path_is_cut_into_even_parts(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Touches of several units and of none, and repeated units: the log has each unit once. */
+/* Iterations with touches of several units, of none, and of one unit repeatedly: the log must list
+ * each unit once. */
 static void what_is_told_is_kept(void **unused) {
     (void)unused;
     static char b[240], a[700];
@@ -273,7 +274,7 @@ static void what_is_told_is_kept(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* The method of the plan with a map; NULL: there is none. */
+/* Returns the method of the plan with a map, or NULL if no plan has one. */
 static const struct method *method_with_map(const struct described *described) {
     const struct loop_state *state = described->loop.state;
     for (int p = 0; p < REDCC_PLANS; p++)
@@ -282,8 +283,8 @@ static const struct method *method_with_map(const struct described *described) {
     return NULL;
 }
 
-/* Calls a loop by auto; each call gives the oracle's bits. Returns the number of calls after which
- * there was a plan with a map. */
+/* Calls a loop by auto; each call must give the expected bits. Returns the number of calls after
+ * which there was a plan with a map. */
 static int call_often(struct problem *problem, struct described *described, int threads,
                       int calls) {
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -303,8 +304,8 @@ static int call_often(struct problem *problem, struct described *described, int 
     return mapped;
 }
 
-/* With unlimited credit auto tries the graph as soon as the other strategies are timed, and gives
- * correct results when the subscripts change. */
+/* With unlimited credit auto tries the graph as soon as the other strategies have been timed.
+ * Results must be correct when the subscripts change. */
 static void auto_comes_to_the_graph(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 60, .sheets = 1};
@@ -349,7 +350,7 @@ static void auto_adds_stealable_blocks_where_iterations_are_long(void **unused) 
     assert_ptr_equal(method_of_long_iterations(&mesh, 60e-9), &redcc_method_graph_localwrite);
 }
 
-/* Stealable blocks are joined to their owners if one of them is touched by all iterations. */
+/* If all iterations touch one stealable block, all stealable blocks are joined to their owners. */
 static void auto_joins_stealable_blocks_that_cost_too_much(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 257, .sheets = 1, .hub = true};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Iterations in levels: checked against the definition for every pair of iterations; and auto,
- * which uses them if no cut of owners is good. */
+/* Iterations in levels: each pair of iterations is checked against the definition. Also tests that
+ * auto uses levels if no cut of owners is good. */
 #include "base/memory.h"
 #include "loop.h"
 #include "ownership/graph/levels.h"
@@ -29,7 +29,7 @@ static bool meet(const struct touches *it, int s, int t) {
     return false;
 }
 
-/* Computes the levels by their definition; returns their number. */
+/* Computes the levels by their definition. Returns their number. */
 static int levels_by_definition(const struct touches *it, int *level) {
     int levels = 0;
     for (int t = 0; t < it->trip; t++) {
@@ -52,7 +52,7 @@ static struct touches random_touches(int trip, int units, int most, unsigned lon
     return it;
 }
 
-/* Logs the touches as `threads` threads would. */
+/* Logs the touches in the order in which `threads` threads would log them. */
 static void tell(const struct touches *it, int threads, const struct units *units,
                  const struct partition *partition, struct access_log *logged, const char *b) {
     static struct range seen;
@@ -70,9 +70,10 @@ static void tell(const struct touches *it, int threads, const struct units *unit
     }
 }
 
-/* Checks that each iteration that touches something, and the last one (with `every` all), is
- * assigned once. Of two that touch a common unit, the first is in an earlier stage, or both are in
- * order in a stage of one thread. There are at most as many stages as levels. */
+/* Checks that each iteration that touches something, and the last one, is assigned once; with
+ * `every` all iterations are. Of two iterations that touch a common unit, the first must be in an
+ * earlier stage, or both must be in order in a stage of one thread. There must be at most as many
+ * stages as levels. */
 static void check(const struct touches *it, const struct levels *levels, bool every) {
     static int level[MOST_TRIP], stage[MOST_TRIP];
     const int known = levels_by_definition(it, level);
@@ -159,7 +160,7 @@ static void a_chain_is_one_stage(void **unused) {
     try_touches(&it, it.trip + 1, 2, false);
 }
 
-/* Random pairs of rows: with any cut half of the iterations have two owners. */
+/* Returns a loop over random pairs of rows: with any cut half of the iterations have two owners. */
 static struct problem random_pairs(long trip, int rows) {
     unsigned long random = 88172645463325252u;
     struct problem problem = {.name = "random pairs", .trip = trip, .rows = rows, .width = 1};
@@ -179,8 +180,8 @@ static struct problem random_pairs(long trip, int rows) {
     return problem;
 }
 
-/* The number of `calls` calls by auto that were executed in levels; each gives the oracle's bits.
- */
+/* Calls the loop by auto and checks that each call gives the expected bits. Returns the number of
+ * calls executed in levels. */
 static int calls_by_levels(struct problem *problem, int threads, int calls) {
     struct described described;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -207,7 +208,7 @@ static int calls_by_levels(struct problem *problem, int threads, int calls) {
     return found;
 }
 
-/* With unlimited credit. */
+/* The credit is unlimited. */
 static void auto_takes_levels_where_no_cut_serves(void **unused) {
     (void)unused;
     struct problem problem = random_pairs(100000, 60000);
@@ -219,11 +220,11 @@ static void auto_takes_levels_where_no_cut_serves(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Each allocation on the way to the levels fails once: the results are the oracle's, and no memory
- * is leaked. */
+/* Each allocation before the levels exist fails once: the results must be correct, and no memory
+ * may leak. */
 static void memory_fails_on_the_way(void **unused) {
     (void)unused;
-    /* FIRST: the call in which auto tries the graph; STEP: for speed, only every such allocation
+    /* FIRST: the call in which auto tries the graph; STEP: for speed, only every STEP-th allocation
      * fails */
     enum { FIRST = 1, STEP = 11 };
     struct problem problem = random_pairs(100000, 60000);

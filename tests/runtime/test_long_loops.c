@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops of more iterations than 31, 32 and 36 bits count, by the method that REDCC_METHOD names:
+/* Loops with more iterations than 31, 32 and 36 bits can count, by the method that REDCC_METHOD
+ * names:
  *
  *     for (t = 0; t < trip; t++) {
  *         count[t / stretch] += 1;
  *         sum[t / stretch] += t;
  *     }
  *
- * Equal iterations are recorded, and executed, all at once: the runtime hands them out in runs and
- * does not see the difference. With an argument they are recorded and executed one by one. */
+ * For speed, equal iterations are recorded and executed all at once: the runtime hands them out in
+ * runs and cannot notice this. With an argument they are recorded and executed one by one. */
 #include "base/memory.h"
 #include "loop.h"
 
@@ -39,7 +40,7 @@ static void tell(redcc_worker *worker, struct tally *element, redcc_int first, r
         const int all_alike = worker->inside && !worker->outside && !one_by_one;
         redcc_iteration_done(worker);
         first++;
-        if (all_alike) { /* the same effect as this number of calls of the two */
+        if (all_alike) { /* has the effect of end - first calls of both functions */
             worker->alike += end - first;
             first = end;
         }
@@ -60,7 +61,8 @@ static void execute(struct tally *element, redcc_int first, redcc_int end) {
     element->sum += count % 2 ? twice / 2 * count : count / 2 * twice;
 }
 
-/* The element of iteration t; *end: the first iteration with another element. */
+/* Returns the element of iteration t. Sets *end to the first iteration with another element, if
+ * that is less. */
 static struct tally *element_of(struct tally *tally, redcc_int t, redcc_int stretch,
                                 redcc_int *end) {
     *end = least(*end, (t / stretch + 1) * stretch);
@@ -104,7 +106,7 @@ static int run_loop(redcc_loop *loop, struct tally *tally, redcc_int trip, redcc
     return redcc_leave(&call);
 }
 
-/* 0 + 1 + ... + (t - 1) */
+/* Returns 0 + 1 + ... + (t - 1), modulo 2^64. */
 static uint64_t sum_below(uint64_t t) {
     return t == 0 ? 0 : t % 2 ? t * ((t - 1) / 2) : t / 2 * (t - 1);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Allocations fail from the first call on, from the second on, ... until all succeed: the results
- * are right each time, and nothing is leaked. Also tests the limit. Run with a named method. */
+/* Allocations fail from the first call on, then from the second on, and so on until all succeed.
+ * The results must be correct each time, and nothing may leak. Also tests the memory limit. Run
+ * with a named method. */
 #include "base/memory.h"
 #include "base/system.h"
 #include "loop.h"
@@ -38,7 +39,7 @@ static void fail_everywhere(int number, int threads) {
         redcc_memory_fail_after(-1);
         assert_memory_equal(expected, problem.first, bytes);
         assert_true(failed || parallel);
-        problem_reset(&problem); /* again, with memory, after the failures */
+        problem_reset(&problem); /* repeats the loop with memory, after the failures */
         assert_true(problem_run(&problem, &described, threads, &last));
         assert_memory_equal(expected, problem.first, bytes);
         redcc_loop_forget(&described.loop);
@@ -57,7 +58,7 @@ static void failing_memory(void **unused) {
     fail_everywhere(11, 2);
 }
 
-/* Data of the report and the learner exist under any limit; a plan does not. */
+/* Data of the report and the learner exist under any limit, but a plan does not. */
 static void a_limit_is_kept(void **unused) {
     (void)unused;
     struct problem problem = problem_new(3, true);
@@ -80,8 +81,8 @@ static void a_limit_is_kept(void **unused) {
     problem_free(&problem);
 }
 
-/* Short loops ask before each execution, and a system call takes longer than many of them: the
- * kernel, told to refuse, is not asked again. */
+/* Short loops query the free memory before each execution, and a system call takes longer than many
+ * of these loops. If the kernel refuses the query, it must not be repeated. */
 static void the_system_is_asked_once(void **unused) {
     (void)unused;
 #ifdef __linux__
@@ -104,7 +105,7 @@ static void the_system_is_asked_once(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(failing_memory), cmocka_unit_test(a_limit_is_kept),
-        cmocka_unit_test(the_system_is_asked_once), /* the last: refusing stays */
+        cmocka_unit_test(the_system_is_asked_once), /* last, since the query stays refused */
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The method that REDCC_METHOD names, on every shape of loop and many thread counts, against the
- * sequential loop: bit for bit where the method promises it or the values are exact. */
+/* The method that REDCC_METHOD names is compared with the sequential loop, on loops of every form
+ * and with many thread counts. The bits must be equal if the method promises it or the values are
+ * exact. */
 #include "base/memory.h"
 #include "loop.h"
 #include "plan_check.h"
@@ -15,7 +16,7 @@
 #include <cmocka.h>
 
 static const int thread_counts[] = {1, 2, 3, 7, 16, 33, 64};
-enum { MANY = 64 }; /* only for a third of the shapes, because so many threads are slow */
+enum { MANY = 64 }; /* used for a third of the loops only, since so many threads are slow */
 
 static void copy_arrays(const struct problem *problem, double *to) {
     memcpy(to, problem->first, (size_t)problem->doubles * sizeof *to);
@@ -28,7 +29,7 @@ static size_t all_doubles(const struct problem *problem) {
     return (size_t)problem->doubles + (size_t)problem->second_rows * (size_t)problem->second_width;
 }
 
-/* Does the named method run by a plan with this number of threads? */
+/* Does a plan execute the named method with this number of threads? */
 static bool plans(const struct settings *settings, int threads) {
     return settings->method && settings->method->prepare &&
            (threads > 1 || settings->compensated || settings->method->keeps == REDCC_ORDER_FIXED);
@@ -93,7 +94,7 @@ static void methods_that_keep_the_order_give_the_oracles_bits(void **unused) {
     all_shapes(false);
 }
 
-/* With shuffled subscripts into a few thousand elements, copies cost less than replicated
+/* With shuffled subscripts into a few thousand elements, private copies cost less than replicated
  * iterations. */
 static void auto_takes_copies_where_they_are_cheaper(void **unused) {
     (void)unused;
@@ -112,8 +113,8 @@ static void auto_takes_copies_where_they_are_cheaper(void **unused) {
     problem_free(&problem);
 }
 
-/* An iteration that is not sampled touches an element far away, so that copies would exceed the
- * limit. */
+/* An iteration that the sample misses touches an element far away, so copies would exceed the
+ * memory limit. */
 static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     (void)unused;
     const size_t limit = redcc_settings()->memory_limit;
@@ -134,7 +135,7 @@ static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     memcpy(expected, problem.first, (size_t)problem.doubles * sizeof(double));
     problem_reset(&problem);
     assert_false(problem_run(&problem, &described, 2, &last));
-    int done = 0; /* nor is there memory for the graph, as the first plan construction finds */
+    int done = 0; /* the graph lacks memory, too, as the first plan construction finds */
     for (int call = 0; call < 10 && !done; call++) {
         problem_reset(&problem);
         done = problem_run(&problem, &described, 2, &last);

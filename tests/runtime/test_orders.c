@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What REDCC_ORDER promises, on numbers that are hard to add, at 1 to 64 threads, by the method
- * that REDCC_METHOD names. `serial`: the sequential loop's bits; `fixed`: the same bits everywhere;
- * `any`: within the error bound of a sum in any order. The exact sums are taken in 113 bits. And
- * REDCC_SUM=compensated: the bits of each element's sum by Neumaier, in the loop's order. */
+/* What REDCC_ORDER promises, on numbers that are hard to sum, with 1 to 64 threads, by the method
+ * that REDCC_METHOD names. `serial`: the sequential loop's bits. `fixed`: the same bits with all
+ * thread counts. `any`: within the error bound of a sum in any order. Exact sums are computed with
+ * 113 bits. REDCC_SUM=compensated: the bits of each element's sum by Neumaier's algorithm, in the
+ * loop's order. */
 #include "loop.h"
 #include "problem.h"
 #include "settings.h"
@@ -28,7 +29,7 @@ typedef long double wide;
 static const int thread_counts[] = {1, 2, 3, 7, 16, 33, 64};
 enum { COUNTS = sizeof thread_counts / sizeof *thread_counts };
 
-/* The order of results: that of the named method; for auto the requested one. */
+/* Returns the order of the results: the named method's, or for auto the requested one. */
 static redcc_order promised(void) {
     const struct settings *settings = redcc_settings();
     if (settings->method)
@@ -40,10 +41,10 @@ static double between(unsigned long *random, double low, double high) {
     return low + (high - low) * (double)(next_random(random) >> 11) * 0x1p-53;
 }
 
-/* Makes contribution number `at`. Bodies multiply contributions by small integers. */
+/* Returns contribution number `at`. Bodies multiply contributions by small integers. */
 typedef double maker(long at, unsigned long *random);
 
-/* Large numbers of both signs, whose sum is 1e-16 of their magnitude. */
+/* Large numbers of both signs, whose sum is about 1e-16 of their magnitude. */
 static double cancelling(long at, unsigned long *random) {
     static double last;
     last = at % 2 ? 1e-3 * between(random, 0, 1) - last : between(random, 1e12, 1e13);
@@ -101,7 +102,7 @@ static void sum_exactly(const struct problem *problem, struct exact *exact) {
                         problem->value[k] * (c + 1));
 }
 
-/* Neumaier's algorithm in its original form, with a branch that TwoSum avoids. */
+/* Neumaier's algorithm in its original form, with the branch that the runtime's TwoSum avoids. */
 static void sum_compensated(struct problem *problem, const struct exact *exact) {
     double *lost = calloc((size_t)problem->doubles, sizeof *lost);
     for (long k = 0; k < problem->touches; k++)
@@ -117,7 +118,7 @@ static void sum_compensated(struct problem *problem, const struct exact *exact) 
             problem->first[at] += lost[at];
         const wide n_u = (wide)exact[at].count * (wide)(DBL_EPSILON / 2);
         const wide sum = exact[at].sum, off = (wide)problem->first[at] - sum;
-        if (isfinite((double)sum)) /* the method's error bound */
+        if (isfinite((double)sum)) /* the error bound of Neumaier's algorithm */
             assert_true((off < 0 ? -off : off) <= (wide)DBL_EPSILON * (sum < 0 ? -sum : sum) +
                                                       2 * n_u * n_u * exact[at].size);
     }
@@ -128,8 +129,9 @@ static bool same_bits(double a, double b) {
     return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
 }
 
-/* |found - sum| <= n u / (1 - n u) times the sum of the absolute values (Higham, Accuracy and
- * Stability of Numerical Algorithms, section 4.2), for n additions in any order. */
+/* Is `found` within the error bound of n additions in any order? The bound is |found - sum| <= n u
+ * / (1 - n u) times the sum of the absolute values, where u is the unit roundoff (Higham, Accuracy
+ * and Stability of Numerical Algorithms, section 4.2). */
 static bool explained(double found, struct exact exact) {
     const double sum = (double)exact.sum;
     if (!isfinite(sum))
@@ -180,7 +182,7 @@ static void at_all_thread_counts(int number, maker *contribution, double before)
     const int runs = promised() == REDCC_ORDER_ANY ? 1 : 2;
     for (int i = 0; i < COUNTS; i++) {
         if (promised() == REDCC_ORDER_ANY && thread_counts[i] == 33)
-            continue; /* DWA-LIP would have hundreds of stages there, and test nothing new */
+            continue; /* DWA-LIP would have hundreds of stages and test nothing new */
         struct described described;
         problem_describe(&problem, &described);
         if (!redcc_settings()->method)
@@ -205,7 +207,7 @@ static void at_all_thread_counts(int number, maker *contribution, double before)
     free(exact);
 }
 
-/* Problems of problem.c with one array. */
+/* Numbers of the problems in problem.c that have one array. */
 enum { SORTED = 0, SHUFFLED = 1, ROWS = 2, CONTENTION = 4, ONE_ITERATION = 5, ONE_ELEMENT = 6 };
 
 static void cancellation(void **unused) {
@@ -261,7 +263,7 @@ static void contention_and_the_smallest(void **unused) {
     at_all_thread_counts(ONE_ITERATION, ordinary, 0.1);
 }
 
-/* Other types: TRIP contributions VALUE(t) to element row[t] of BINS. */
+/* Other element types: TRIP contributions VALUE(t) are added to element row[t] of BINS. */
 enum { TRIP = 6000, BINS = 40 };
 static int row[TRIP];
 
@@ -335,7 +337,7 @@ static void fill_rows(void) {
         row[t] = (int)(next_random(&random) % BINS);
 }
 
-/* A float counter stops at 2^24, where the sequential loop's does; with other orders it may
+/* A float counter stops at 2^24, where the sequential loop's counter does. In other orders it may
  * continue. */
 static void float_counters_past_2_to_24(void **unused) {
     (void)unused;
@@ -385,7 +387,7 @@ static void integers_wrap_around(void **unused) {
     }
 }
 
-/* Comparisons with NaN are false: it is never stored, and an initial NaN stays. */
+/* Comparisons with NaN are false: a NaN is never stored, and an initial NaN remains. */
 static void minimum_and_maximum_with_nan(void **unused) {
     (void)unused;
     double expected[2][BINS], found[2][BINS];
@@ -410,7 +412,7 @@ static void minimum_and_maximum_with_nan(void **unused) {
     }
 }
 
-/* Functions that update a whole row, or a part of one, after one owner check. */
+/* Functions that update a whole row or a part of it, after one owner check. */
 typedef double triple[3];
 
 static void add_row(double *to, int t) {
@@ -488,7 +490,8 @@ static void rows_by_functions(triple *array, int threads) {
     redcc_loop_forget(&loop);
 }
 
-/* Computes the sums of each row in long double (64 bits of precision or more), as exact sums. */
+/* Computes the sums of each row in long double (64 bits of precision or more), which count as
+ * exact. */
 static void sum_rows(long double (*sum)[3]) {
     for (int t = 0; t < TRIP; t++) {
         triple part = {0, 0, 0}, rest = {0.3, 0, 0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Owners by votes: a strip of cells, whose borders are rows appended behind all others. Each cell
- * updates itself and its four neighbours. Run with localwrite-direct by name. */
+/* Owners by majority votes, on a strip of cells whose boundary cells are rows appended at the end.
+ * Each cell updates itself and its four neighbours. Run with localwrite-direct by name. */
 #include "base/memory.h"
 #include "loop.h"
 #include "ownership/cuts.h"
@@ -22,12 +22,12 @@ enum {
     ROWS = CELLS + 2 * LONG,
     TOUCHED = 5,
     WIDTH = 3,
-    MARGIN = 500 /* rows before and behind the strip that few iterations touch */
+    MARGIN = 500 /* rows before and after the strip, which few iterations touch */
 };
 
 static const int threads_tried[] = {1, 2, 3, 7, 16, 33};
 
-/* The row of the cell at (x, y); outside of the strip, that of the border cell. */
+/* Returns the row of the cell at (x, y); outside of the strip, the row of the boundary cell. */
 static int row_at(int x, int y) {
     y = y < 0 ? 0 : y >= LONG ? LONG - 1 : y;
     return x < 0 ? CELLS + y : x >= WIDE ? CELLS + LONG + y : WIDE * y + x;
@@ -155,9 +155,9 @@ static void owners_move_with_the_arrays(void **unused) {
     end(&fixture);
 }
 
-/* Two arrays: iterations of the first one's lower and upper half are mixed in the second. The best
- * cuts of the second are behind its first and behind its last element; that midway between these
- * two is the worst. */
+/* Two arrays: iterations of the lower and upper half of the first are mixed in the second. The best
+ * cuts of the second array are after its first and after its last element. A cut midway between
+ * them is the worst. */
 static void a_cut_is_one_of_the_best(void **unused) {
     (void)unused;
     enum { ITERATIONS = 6, OWNERS = 2 };
@@ -171,7 +171,7 @@ static void a_cut_is_one_of_the_best(void **unused) {
     assert_true(redcc_sample_begin(&fixture.sample, 2 * ITERATIONS, 0));
     for (int i = 0; i < ITERATIONS; i++) {
         redcc_sample_add(&fixture.sample, (uintptr_t)&first[of_first[i]], 0, 1, 0);
-        if (i < ITERATIONS - 1) /* the last one touches the first array only */
+        if (i < ITERATIONS - 1) /* the last iteration touches only the first array */
             redcc_sample_add(&fixture.sample, (uintptr_t)&second[i], 1, 1, 0);
         redcc_sample_next_iteration(&fixture.sample);
     }
@@ -186,7 +186,7 @@ static void a_cut_is_one_of_the_best(void **unused) {
 static void some_have_none(void **unused) {
     (void)unused;
     struct fixture fixture;
-    begin(&fixture, NULL, 2); /* scattered */
+    begin(&fixture, NULL, 2); /* the rows are scattered in memory */
     vote(&fixture);
     assert_null(fixture.partition.map.owner);
     end(&fixture);
@@ -233,7 +233,7 @@ static double replication_of(const redcc_loop *loop) {
     return (double)state->reported.statistics.extra.executed / (double)CELLS;
 }
 
-/* The oracle's results; the caller frees them. */
+/* Returns the expected results, which the caller frees. */
 static double *results_of(struct problem *problem, size_t bytes) {
     double *results = malloc(bytes);
     problem_reset(problem);
@@ -265,20 +265,20 @@ static void same_bits_for_any_owners(void **unused) {
     problem_free(&problem);
 }
 
-/* Changes what the given execution touches, so that it differs from that for which the owners were
- * chosen. */
+/* Changes what the given execution touches, so that it differs from the execution for which the
+ * owners were chosen. */
 static void change(struct problem *problem, int execution) {
     double *const before = problem->first;
     switch (execution) {
-    case 1: /* elsewhere */
+    case 1: /* the array is at another address */
         problem->first = malloc((size_t)problem->doubles * sizeof *problem->first);
         free(before);
         break;
-    case 2: /* touches rows before and behind all that had owners */
+    case 2: /* the execution touches rows before and after all that had owners */
         problem->row[0] = 0;
         problem->row[problem->touches - 1] = ROWS + 2 * MARGIN - 1;
         break;
-    case 3: /* fewer iterations, nearly all of one owner */
+    case 3: /* fewer iterations, nearly all of them with one owner */
         problem->trip = CELLS / 2 + 1;
         break;
     case 4: /* no two iterations touch neighbouring rows */

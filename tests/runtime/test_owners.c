@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Ownership: for rows at any address, redcc_owns_part against redcc_owns of each byte. */
+/* Ownership: for rows at any address, redcc_owns_part is compared with redcc_owns of each byte. */
 #include <redcc/runtime.h>
 
 #include <setjmp.h>
@@ -77,7 +77,7 @@ static void units_of_a_map(void **state) {
     }
 }
 
-/* If the owner is unknown, the thread may own the bytes. */
+/* If the owner is unknown, redcc_owns_part must answer that the thread may own the bytes. */
 static void what_is_not_known(void **state) {
     (void)state;
     struct redcc_hook *const hook = (struct redcc_hook *)(void *)memory;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops of redcc/parallel.h for operators and types, by elements and by rows, against the plain
- * loops. Compiled without an OpenMP option. With the argument `exact` all sums and products are
- * exact, so that methods that change the order give the same values as well. */
+/* Loops of redcc/parallel.h for several operators and types, by elements and by rows, are compared
+ * with plain loops. Compiled without an OpenMP option. With the argument `exact` all sums and
+ * products are exact, so that methods that change the order give the same values as well. */
 #include "redcc/parallel.h"
 
 #include <setjmp.h>
@@ -18,7 +18,7 @@ enum { S };
 static int subscript[N];
 static int exact;
 
-/* The other row; sometimes it is row i itself. */
+/* The other row, which is sometimes row i itself. */
 #define OTHER(i) (((i) + 9) / 2)
 
 static void change_subscripts(void) {
@@ -39,7 +39,7 @@ static double factor(long t) {
 
 #define ADDEND ((TYPE)addend(t))
 #define FACTOR ((TYPE)factor(t))
-/* The last element is updated in some iterations only. */
+/* The last element is updated in every second iteration only. */
 #define UPDATE_ROW(from, by, value)                                                                \
     {                                                                                              \
         TYPE *row = from;                                                                          \

@@ -66,8 +66,9 @@ static void sets_are_kept_once(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* With three touches per iteration, the same number of each is kept in every stretch of
- * iterations. */
+/* The sample of a loop with TOUCHES touches per iteration is thinned: one touch in `keep_each` is
+ * kept. About as many touches of each array must remain in each of STRETCHES ranges of iterations.
+ */
 static void a_thinned_sample_is_even(void **unused) {
     (void)unused;
     enum { ITERATIONS = 20000, STRETCHES = 32, TOUCHES = 3 };
@@ -91,7 +92,7 @@ static void a_thinned_sample_is_even(void **unused) {
     }
 }
 
-/* Touches of two arrays in turn: both are sampled, from the beginning to the end. */
+/* Touches alternate between two arrays: both must be sampled from beginning to end. */
 static void a_full_sample_stays_even(void **unused) {
     (void)unused;
     struct sample sample;
@@ -110,7 +111,7 @@ static void a_full_sample_stays_even(void **unused) {
     redcc_sample_end(&sample);
 }
 
-/* Two arrays of a mesh: the cuts lie at the same rows, on whole rows. */
+/* Two arrays of a mesh: both must be cut at the same rows, and only between rows. */
 static void cuts_of_several_arrays_lie_at_the_same_rows(void **unused) {
     (void)unused;
     enum { ROWS = 1000, OWNERS = 7 };
@@ -158,7 +159,8 @@ static void tell_end(struct sweep *sweep) {
     redcc_sweep_take(sweep, &entry, &entry + 1);
 }
 
-/* Single entries of an iteration, touches of several owners, repeated owners, and none. */
+/* Iterations with one touch, with touches of several owners, with repeated owners, and without
+ * touches. */
 static void a_sweep_lists_each_owner_once(void **unused) {
     (void)unused;
     enum { OWNERS = 40 };
@@ -209,8 +211,8 @@ static void a_sweep_lists_each_owner_once(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* A loop of 5 * 2^30 + 12 iterations: the first third touches owner 0, the middle both, the rest
- * owner 1; without memory per iteration. */
+/* A loop of 5 * 2^30 + 12 iterations. The first third touches owner 0, the middle third both, and
+ * the last third owner 1. No memory is used per iteration. */
 static void more_iterations_than_32_bits_count(void **unused) {
     (void)unused;
     const redcc_int third = (5ll << 30) / 3 + 4, trip = 3 * third;
@@ -288,8 +290,8 @@ static void more_iterations_than_32_bits_count(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* A schedule that grows by gaps up to `gap` and counts up to `count`, some far above; in chunks of
- * a stage each, with tasks that go back. */
+/* Appends runs with gaps up to `gap` and counts up to `count`, some of them far larger, and checks
+ * that they are read back. Each chunk is a stage, and some tasks go back to earlier iterations. */
 static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
     enum { RUNS = 5000 };
     static redcc_int begin[RUNS], length[RUNS];
@@ -301,7 +303,8 @@ static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
         const bool far = next_random(&random) % 50 == 0;
         at += 1 + (redcc_int)(next_random(&random) % (unsigned long)gap) * (far ? 5000 : 1);
         if (r % 700 == 699)
-            at -= 50; /* behind the run before, not before the chunk's origin */
+            at -= 50; /* before the end of the preceding run, but not before the chunk's first
+                         iteration */
         begin[r] = at;
         length[r] = 1 + (redcc_int)(next_random(&random) % (unsigned long)count) * (far ? 5000 : 1);
         checked[r] = next_random(&random) % 2;
@@ -338,11 +341,11 @@ static void packed_runs_are_the_runs(void **unused) {
         expect_runs(2, 2, memory);
         expect_runs(70, 30, memory);
         expect_runs(900, 1, memory);
-        expect_runs(3000, 900, memory); /* no use in packing them */
+        expect_runs(3000, 900, memory); /* too large for the packed form to save memory */
     }
 }
 
-/* Two threads with two tasks each; the second tasks wait for the other thread's first one. */
+/* Two threads with two tasks each. Each second task waits for the other thread's first task. */
 static void a_plan_is_as_long_as_its_waits_make_it(void **unused) {
     (void)unused;
     static const redcc_int iterations[2][2] = {{10, 5}, {3, 20}};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* When a plan is reused, when not, and when the loop is refused; run with a named method. */
+/* When a plan is reused, when it is not, and when the loop is refused. Run with a named method. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -38,7 +38,7 @@ static const struct statistics *statistics_of(const struct fixture *fixture) {
     return &((const struct loop_state *)fixture->described.loop.state)->reported.statistics;
 }
 
-/* Runs the loop and compares with the oracle; returns whether it ran in parallel. */
+/* Runs the loop and compares with the expected result. Returns whether it ran in parallel. */
 static int run_right(struct fixture *fixture) {
     struct problem *problem = &fixture->problem;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -65,7 +65,7 @@ static void changed_contents_are_noticed(void **unused) {
     assert_true(run_right(&fixture));
     assert_true(run_right(&fixture));
     expect_plans(&fixture, 1, 1);
-    for (long k = 0; k < problem->touches; k += 501) { /* one subscript at a time */
+    for (long k = 0; k < problem->touches; k += 501) { /* changes one subscript at a time */
         problem->row[k] = (problem->row[k] + 1000) % problem->rows;
         assert_true(run_right(&fixture));
     }
@@ -74,7 +74,7 @@ static void changed_contents_are_noticed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* One touch per iteration; `start` has some megabytes. */
+/* A loop with one touch per iteration, whose array `start` has some megabytes. */
 static struct problem long_problem(void) {
     enum { TRIP = 900000, ROWS = 5000 };
     struct problem problem = {
@@ -198,7 +198,7 @@ static void a_plan_moves_to_other_arrays(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Other pointers, one now pointing into the other's array: the cuts no longer hold. */
+/* Other pointers, one of which now points into the other's array: the cuts are no longer valid. */
 static void a_plan_does_not_move_to_arrays_that_overlap(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -232,7 +232,7 @@ static void unverifiable_loops_are_inspected_each_time(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Reads overlap updates: nothing is executed, and the report names the two. */
+/* Reads overlap updates: the runtime executes nothing, and the report names the two arrays. */
 static void an_overlap_is_refused(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -242,7 +242,7 @@ static void an_overlap_is_refused(void **unused) {
     const size_t doubles = (size_t)problem->doubles + (size_t)problem->touches;
     double *both = malloc(doubles * sizeof *both);
     double *expected = malloc(doubles * sizeof *both);
-    for (int by = -1; by <= 1; by++) { /* overlapping by an element, touching, disjoint */
+    for (int by = -1; by <= 1; by++) { /* overlapping by 7 elements, or adjacent */
         long last;
         problem->first = both;
         problem->value = both + problem->doubles - (by == -1) * 7;
@@ -267,7 +267,7 @@ static void an_overlap_is_refused(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A plan exists; now the arrays overlap reads, with the same subscripts. */
+/* A plan exists, but now the reads overlap the updated array, with the same subscripts. */
 static void an_overlap_is_refused_with_a_plan_at_hand(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -275,7 +275,7 @@ static void an_overlap_is_refused_with_a_plan_at_hand(void **unused) {
     struct problem *problem = &fixture.problem;
     double *const value = problem->value;
     assert_true(run_right(&fixture));
-    problem->value = problem->first + 5; /* only a prefix of the touches is read */
+    problem->value = problem->first + 5; /* only the first touches are left to read */
     for (long t = 0; t <= problem->trip; t++)
         if (problem->start[t] > 1900)
             problem->start[t] = 1900;
@@ -301,7 +301,8 @@ static void overlapping_arrays_out_of_step_are_refused(void **unused) {
     struct fixture fixture;
     fixture_begin(&fixture, 11);
     struct problem *problem = &fixture.problem;
-    /* as if rows had three elements, with the other array between them */
+    /* pretends that rows have 3 elements in one array and 2 in the other, at overlapping addresses
+     */
     fixture.described.arrays[0].unit = 24;
     fixture.described.arrays[1].unit = 16;
     assert_false(run_right(&fixture));
@@ -310,7 +311,8 @@ static void overlapping_arrays_out_of_step_are_refused(void **unused) {
     fixture_end(&fixture);
 }
 
-/* LOCALWRITE keeps each element's order whatever the operators; the others would mix them up. */
+/* LOCALWRITE keeps each element's order for all operators. Other methods would mix different
+ * operators up, so they must refuse. */
 static void overlapping_arrays_of_unlike_operators(void **unused) {
     (void)unused;
     struct fixture fixture;

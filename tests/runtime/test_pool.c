@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The runtime's own threads. The program has no OpenMP library. */
+/* The runtime's own threads, in a program without an OpenMP library. */
 #include "base/pool.h"
 #include "base/region.h"
 #include "base/signals.h"
@@ -58,7 +58,7 @@ static int prepare(int threads) {
     return prepare_with(threads, 256 * 1024);
 }
 
-/* Each thread of a region does its work once. */
+/* Returns 1 if each thread of a region did its work once. */
 static int has_worked(int threads) {
     struct seen seen = {.threads = threads};
     redcc_pool_run(threads, count, &seen);
@@ -84,7 +84,7 @@ static void regions_of_several_sizes(void **state) {
     assert_true(redcc_region_is_own());
     assert_int_equal(prepare(2), 2);
     assert_true(has_worked(2));
-    /* sanitizers start another thread with the program's first one */
+    /* sanitizers start a thread together with the program's first one */
     const int others = tasks() - 2;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         assert_int_equal(prepare(sizes[s]), sizes[s]);
@@ -103,7 +103,7 @@ static void *work_apart(void *result) {
     return NULL;
 }
 
-/* Threads that execute loops have threads of their own, which end with them. */
+/* Each program thread that executes loops has pool threads of its own, which end with it. */
 static void threads_of_several_threads(void **state) {
     enum { CALLERS = 5 };
     (void)state;
@@ -123,7 +123,7 @@ static void threads_of_several_threads(void **state) {
     assert_int_equal(tasks(), before);
 }
 
-/* It is no error if the system refuses threads. */
+/* The system refuses threads, which must not be an error. */
 static void *be_refused(void *result) {
     struct rlimit before, none;
     getrlimit(RLIMIT_AS, &before);
@@ -131,7 +131,7 @@ static void *be_refused(void *result) {
     none.rlim_cur = 1 << 20; /* less memory than the process uses */
     const int first = prepare(2);
     setrlimit(RLIMIT_AS, &none);
-    const int refused = prepare_with(9, 64 << 20); /* no cached stack is large enough */
+    const int refused = prepare_with(9, 64 << 20); /* large enough that no cached stack fits */
     setrlimit(RLIMIT_AS, &before);
     *(int *)result = first == 2 && refused >= 2 && refused < 9 && has_worked(refused) &&
                      prepare(9) == 9 && has_worked(9);
@@ -150,14 +150,14 @@ static void threads_that_are_refused(void **state) {
     assert_true(good);
 }
 
-static atomic_int handled_by; /* 1: the first thread */
+static atomic_int handled_by; /* 1 if the program's first thread handled the signal */
 static pthread_t first;
 static void handle(int number) {
     (void)number;
     atomic_store(&handled_by, pthread_equal(pthread_self(), first) ? 1 : 2);
 }
 
-/* A signal to the process reaches the program's own thread. */
+/* A signal to the process must reach the program's own thread. */
 static void signals_of_the_program(void **state) {
     (void)state;
     first = pthread_self();

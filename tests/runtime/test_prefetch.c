@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Prefetches: which iterations they precede, what the slice does then, and when they are useful. */
+/* Prefetches: in which iterations they are made, what the slice does then, and when they are
+ * useful. */
 #include "execute/ahead.h"
 #include "execute/prefetch.h"
 
@@ -12,7 +13,7 @@
 
 enum { MOST_RUNS = 9, MOST_COUNT = 5 };
 
-/* All iterations of the runs, in a list. */
+/* Lists all iterations of the runs. Returns their number. */
 static int list_all(const redcc_iterations *run, int runs, redcc_int origin, redcc_int *list) {
     int count = 0;
     for (int r = 0; r < runs; r++)
@@ -45,7 +46,7 @@ static void the_iteration_so_far_ahead_in_the_list(void **unused) {
         try_runs(rand() % (MOST_RUNS + 1), 1 + rand() % 16);
 }
 
-/* The slice records nothing, and its addresses need not be valid. */
+/* A slice called for prefetching records nothing, and its addresses need not be valid. */
 static void a_slice_without_a_worker_tells_nothing(void **unused) {
     (void)unused;
     double *nowhere = (double *)((redcc_size)1 << 20);
@@ -60,7 +61,7 @@ static void a_slice_without_a_worker_tells_nothing(void **unused) {
     REDCC_AHEAD(nowhere, 77);
 }
 
-/* As REDCC_KNOWN_ROW does, for the first iteration and for the last. */
+/* Does what REDCC_KNOWN_ROW does for the first and for the last iteration. */
 static redcc_progression progression_of(const void *first, const void *last, redcc_size bytes,
                                         redcc_int trip) {
     redcc_progression it = {0, 0, 0};
@@ -91,7 +92,7 @@ static void rows_of_iterations_lie_at_equal_distances(void **unused) {
                        8);
     assert_progression(progression_of(pair, pair, sizeof *pair, 1), pair, 0, 8);
     assert_progression(progression_of(element, &element[TRIP - 1], 12, TRIP), element, size,
-                       (redcc_size)size); /* the whole structure */
+                       (redcc_size)size); /* the whole structure is prefetched */
     /* too large to prefetch */
     assert_progression(progression_of(wide, wide[TRIP - 1], 8, TRIP), wide, 320, 8);
     /* members of one structure are prefetched once, others separately */
@@ -110,7 +111,7 @@ static void rows_of_iterations_lie_at_equal_distances(void **unused) {
     redcc_progressions_prefetch(
         found, 4,
         &(redcc_ahead){(redcc_int)1 << 40, 0, 0, 0, 0,
-                       &redcc_ahead_library}); /* no address need be valid */
+                       &redcc_ahead_library}); /* the addresses need not be valid */
 }
 
 static void only_large_arrays_that_are_written_in_place(void **unused) {
@@ -125,7 +126,7 @@ static void only_large_arrays_that_are_written_in_place(void **unused) {
     assert_false(redcc_prefetch_is_possible(&plan));
 }
 
-/* Light iterations prefetch if their runs have less than four iterations on average and they write
+/* Light iterations prefetch if their runs have fewer than four iterations on average and they write
  * to larger arrays. */
 static void light_iterations_in_no_order(void **unused) {
     (void)unused;

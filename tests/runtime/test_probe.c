@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Iterations that are probed instead of recorded (redcc_is_settled): the result must be the same as
- * if all are recorded. The loop, whose plans are compared, is not executed:
+/* Iterations that are probed instead of recorded (redcc_is_settled): the plan must be the same as
+ * if all were recorded. The loop is not executed:
  *
  *     for (t = 0; t < trip; t++)
  *         if (wide[t]) { b[row[t]] ... b[row[t] + wide[t] - 1] are updated, d[other[t]] too, and
@@ -28,7 +28,7 @@ static const redcc_source sources[] = {{"row", 1}, {"x", 0}};
     { "test_probe.c", 1, "plan", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE, 2, arrays, 2, sources, 0, 0 }
 static redcc_loop loop_told = LOOP, loop_probed = LOOP;
 
-/* Are rows recorded by their numbers, which may be negative? */
+/* True if rows are recorded by their numbers, which may be negative. */
 static bool by_number;
 static double (*const middle)[3] = b + MIDDLE;
 
@@ -123,7 +123,8 @@ static void expect_same_schedule(const struct schedule *one, const struct schedu
     }
 }
 
-/* Returns the number of iterations that were not recorded. */
+/* Compares the plans made with and without probing. Returns the number of iterations that were not
+ * recorded. */
 static long expect_same_plans(void) {
     probed = 0;
     by_number = !by_number;
@@ -152,7 +153,7 @@ static int below(int limit) {
     return (int)((random_state >> 33) % (unsigned long)limit);
 }
 
-/* Rows ascend; each iteration touches one of the next `near` rows. */
+/* Fills in ascending rows: each iteration touches one of the next `near` rows. */
 static void fill_in_order(int near) {
     for (int t = 0; t < TRIP; t++) {
         row[t] = (int)((long)t * (ROWS - near) / TRIP) + below(near);
@@ -178,7 +179,7 @@ static void rows_without_order(void **unused) {
     assert_true(expect_same_plans() < TRIP * (MOST_THREADS - 1) / 10);
 }
 
-/* A touch or read of only one iteration in a settled stretch is found. */
+/* A single iteration in a settled stretch touches or reads elsewhere, which must be found. */
 static void strays(void **unused) {
     (void)unused;
     for (int trial = 0; trial < 49; trial++) {
@@ -202,7 +203,8 @@ static void idle_iterations(void **unused) {
     }
 }
 
-/* Touches on both sides of a cut, or of the range seen, or that begin before it. */
+/* Touches that lie on both sides of a cut or of the range seen so far, or begin before that
+ * range. */
 static void wide_touches(void **unused) {
     (void)unused;
     for (int trial = 0; trial < 8; trial++) {
@@ -229,7 +231,7 @@ static void stretches(void **unused) {
     }
 }
 
-/* Every window of a few bytes with every row near it, compared byte by byte. */
+/* Compares every window of a few bytes with every row near it, byte by byte. */
 static void bounds_of_rows(void **unused) {
     (void)unused;
     static const char memory[64];

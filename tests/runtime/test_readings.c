@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Subscripts whose ranges overlap, as row_start[i] and row_start[i + 1], or two fields of a record:
- * each byte is read once, and no change of what one of them reads is missed. */
+/* Subscripts whose ranges overlap, such as row_start[i] and row_start[i + 1], or two fields of a
+ * record. Each byte is read once, and no change that one of them reads is missed. */
 #include "reuse/kept.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ static const redcc_source sources[SOURCES] = {
 static const redcc_loop loop = {
     .flags = REDCC_VERIFIABLE, .source_count = SOURCES, .sources = sources};
 
-/* Two subscripts, and another read between them in the list. */
+/* Sets two subscript ranges, and another read between them in the list. */
 static void set_known(redcc_extent *known, int first, int end, int other_first, int other_end) {
     known[0] = (redcc_extent){data + first, data + end};
     known[1] = (redcc_extent){data, data + BYTES};
@@ -34,7 +34,7 @@ static void bytes_are_read_once(void **unused) {
     (void)unused;
     static const struct {
         int first, end;
-        size_t left; /* bytes to read besides [256, 512); all, if they are on both sides */
+        size_t left; /* bytes to read outside [256, 512), or all bytes */
     } other[] = {{256, 512, 0},   {257, 512, 0}, {256, 513, 1},  {300, 612, 100},
                  {100, 300, 156}, {0, 256, 256}, {512, 600, 88}, {100, 600, 500}};
     for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
@@ -60,7 +60,7 @@ static void every_change_is_seen(void **unused) {
     assert_true(redcc_fingerprint_equal(before, all_of(known)));
 }
 
-/* The same bytes, but the second subscript begins elsewhere. */
+/* The bytes are the same, but the second subscript begins elsewhere. */
 static void another_distance_is_seen(void **unused) {
     (void)unused;
     redcc_extent known[SOURCES];

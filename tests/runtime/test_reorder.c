@@ -25,7 +25,7 @@ static void expect_permutation(const int *new_of_old, int count) {
     free(taken);
 }
 
-/* A sheet of triangles, its nodes numbered at random. */
+/* Makes a sheet of triangles whose nodes are numbered at random. */
 static void make_sheet(int triangle[TRIANGLES][3]) {
     static int number[NODES];
     unsigned long random = 88172645463325252u;
@@ -62,7 +62,7 @@ static void rows_of_an_iteration_come_close(void **unused) {
     assert_int_equal(redcc_reorder_rows(TRIANGLES, 3, triangle[0], NODES, new_of_old), 0);
     expect_permutation(new_of_old, NODES);
     assert_true(widest(triangle, new_of_old) <= 2 * SIDE);
-    /* rows that nothing updates have their places as well */
+    /* rows that nothing updates get a place as well */
     assert_int_equal(redcc_reorder_rows(TRIANGLES, 3, triangle[0], NODES + 3, new_of_old), 0);
     expect_permutation(new_of_old, NODES + 3);
     assert_int_equal(redcc_reorder_rows(0, 3, triangle[0], NODES, new_of_old), 0);
@@ -72,7 +72,8 @@ static void rows_of_an_iteration_come_close(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* All cells of a grid of 2^n cells a side: each is a neighbour of the one before. */
+/* All cells of a square or cubic grid with 2^n cells per side: each must be a neighbour of the cell
+ * before it in the order. */
 static void expect_neighbours(int side, int dimensions) {
     const int count = dimensions == 2 ? side * side : side * side * side;
     double *point = malloc((size_t)count * (size_t)dimensions * sizeof *point);

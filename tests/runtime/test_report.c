@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The report's counters, and its page, which must list exactly the existing slugs and variables. */
+/* The report's counters, and its pages, which must list exactly the existing slugs and
+ * variables. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -33,7 +34,7 @@ static const char *read_page(const char *name) {
 }
 
 /* Checks that the rows of the page's table under `heading` begin with exactly these names, in this
- * order; `rest`: the rest of each row, if compared. */
+ * order. `rest` has the rest of each row, or is NULL if it is not compared. */
 static void expect_table(const char *page, const char *heading, const char *const *names,
                          const char *const *rest, int count) {
     const char *at = strstr(read_page(page), heading);
@@ -138,7 +139,7 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
     assert_int_equal(it->lost.count, 0);
     for (int round = 1; round <= 2; round++) {
         shift_rows(&fixture);
-        problem_run_tells = false; /* auto stays sequential, in addition to the invalidated plan */
+        problem_run_tells = false; /* auto stays sequential, and the plan is invalid as well */
         run(&fixture);
         assert_int_equal(it->lost.count, round);
         assert_string_equal(it->lost.array[0].name, "row");
@@ -159,7 +160,7 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A lost plan is counted once, even if many sequential calls follow. */
+/* An invalidated plan is counted once, even if many sequential calls follow. */
 static void no_plan_is_lost_twice(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -167,7 +168,7 @@ static void no_plan_is_lost_twice(void **unused) {
     fixture_begin(&fixture);
     run_until_reused(&fixture);
     struct reuse *reuse = &((struct loop_state *)fixture.described.loop.state)->execution.reuse;
-    for (long t = 1; t < fixture.problem.trip; t += 2) /* the changes are where the sample reads */
+    for (long t = 1; t < fixture.problem.trip; t += 2) /* changes sampled elements */
         fixture.problem.start[t] = fixture.problem.start[t - 1];
     for (int call = 0; call < 3; call++) {
         reuse->changed_source = -1;
@@ -212,7 +213,8 @@ static void modes_follow_the_calls(void **unused) {
     fixture_end(&fixture);
 }
 
-/* One sentence about the most frequent reason; none if most calls ran in parallel. */
+/* The report has a sentence about the most frequent reason, or none if most calls ran in
+ * parallel. */
 static void a_sequential_loop_is_told_why(void **unused) {
     (void)unused;
     struct statistics it = {0};
@@ -241,7 +243,7 @@ static void a_sequential_loop_is_told_why(void **unused) {
     }
 }
 
-/* Pairs of arrays that overlap are counted one by one, but are one reason. */
+/* Pairs of overlapping arrays are counted separately, but are one reason. */
 static void an_overlap_is_a_reason(void **unused) {
     (void)unused;
     struct statistics it = {0};
@@ -256,7 +258,7 @@ static void an_overlap_is_a_reason(void **unused) {
     assert_int_equal(strncmp(why, text, strlen(text)), 0);
 }
 
-/* Lines of redcc_report_validation with this end. */
+/* Returns the number of lines of redcc_report_validation with this end. */
 static int validation_lines(const char *end, bool *broken) {
     char line[256];
     int count = 0;

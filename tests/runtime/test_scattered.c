@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* An array whose elements are reached through pointers (its base is 0): for (t) row[s[t]][t %
- * WIDTH] += value[t], in the form that redcc generates, with rows far apart in memory. */
+/* An array whose elements are reached through pointers (its base is 0), with rows far apart in
+ * memory: for (t) row[s[t]][t % WIDTH] += value[t], in the form that redcc generates. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -19,7 +19,7 @@ enum { TRIP = 5000, ROWS = 60, WIDTH = 7, CALLS = 3 };
 
 struct rows {
     double *row[ROWS];
-    double *near, *far; /* [ROWS * WIDTH]; the memory between the two is unreadable */
+    double *near, *far; /* [ROWS * WIDTH]; the memory between `near` and `far` is unreadable */
     int s[TRIP];
     double value[TRIP];
 };
@@ -120,8 +120,8 @@ static void clear(struct rows *it) {
     memset(it->far, 0, used);
 }
 
-/* Runs the loop CALLS times and compares all bits with the oracle. Returns how often it ran in
- * parallel. */
+/* Runs the loop CALLS times and compares all bits with the expected result. Returns the number of
+ * calls that ran in parallel. */
 static int compare(struct rows *it, redcc_loop *loop, int threads) {
     double near[ROWS * WIDTH], far[ROWS * WIDTH];
     clear(it);
@@ -175,7 +175,8 @@ static void rows_lie_in_one_block(void **unused) {
         each_element_has_its_order(false, threads);
 }
 
-/* Between them lies what must be neither read nor written, nor mapped by the unit. */
+/* The memory between rows must be neither read nor written, and owners must not be stored for each
+ * unit of it. */
 static void rows_lie_far_apart(void **unused) {
     (void)unused;
     for (int threads = 2; threads <= 7; threads += threads > 2 ? 4 : 1)
@@ -186,7 +187,7 @@ static void what_is_read_lies_among_them(void **unused) {
     (void)unused;
     struct rows *it = new_rows(false);
     redcc_loop loop = new_loop();
-    it->row[2] = it->value; /* and of WIDTH elements of it */
+    it->row[2] = it->value; /* row 2 lies in `value`, and the loop updates WIDTH elements of it */
     double kept[WIDTH], expected[WIDTH], near[ROWS * WIDTH];
     memcpy(kept, it->value, sizeof kept);
     oracle(it);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops with sections (choose/sections.h): how many shares follows from sizes alone; how many
- * threads from times; plans are used again for the same sections only. */
+/* Loops with sections (choose/sections.h). The number of shares depends only on sizes, and the
+ * number of threads on times. Plans are reused only for the same sections. */
 #include "choose/sections.h"
 
 #include <setjmp.h>
@@ -41,13 +41,13 @@ static void shares_follow_from_sizes(void **unused) {
     assert_int_equal(shares(15 * 12 * 1000, 1000, 0), 16);
     assert_int_equal(shares(1000000000, MEGABYTES / 8, 0), 1); /* too large for a copy */
     assert_int_equal(shares(1000000000, MEGABYTES / 16, 0), 2);
-    assert_int_equal(shares(1000000, 1000, 4 * 7 * 8000), 8); /* a limit on memory */
+    assert_int_equal(shares(1000000, 1000, 4 * 7 * 8000), 8); /* limited by memory */
     assert_int_equal(shares(1000000, 1000, 4 * 7 * 8000 - 4), 4);
     assert_int_equal(shares(1000000, 1000, 4 * 8000 - 4), 1);
-    loop.flags = 0; /* an iteration is worth more */
+    loop.flags = 0; /* an iteration counts as more work without REDCC_SHORT */
     assert_int_equal(shares(8192, 8 * 8192, 0), 2);
     assert_int_equal(shares(8192, 8 * 8192 + 1, 0), 1);
-    assert_int_equal(shares(512, 128, 0), 2); /* and may be fewer, if there are few elements */
+    assert_int_equal(shares(512, 128, 0), 2); /* few elements: the trip count may be smaller */
     assert_int_equal(shares(512, 512, 0), 2);
     assert_int_equal(shares(512, 513, 0), 0);
     assert_int_equal(shares(511, 1, 0), 0);
@@ -57,13 +57,13 @@ static void shares_follow_from_sizes(void **unused) {
 static void sections_must_be_apart(void **unused) {
     (void)unused;
     loop.array_count = 2;
-    assert_int_equal(shares(3 * 12 * 2000, 1000, 0), 4); /* both count */
+    assert_int_equal(shares(3 * 12 * 2000, 1000, 0), 4); /* both sections count */
     assert_int_equal(shares(3 * 12 * 2000 - 1, 1000, 0), 2);
-    assert_int_equal(shares(1000000, 2001, 0), 0); /* they overlap */
-    assert_int_equal(shares(1000000, 0, 0), 0);    /* nothing */
+    assert_int_equal(shares(1000000, 2001, 0), 0); /* the sections overlap */
+    assert_int_equal(shares(1000000, 0, 0), 0);    /* an empty section */
     redcc_extent same[] = {section(0, 1000), section(0, 1000)};
     assert_int_equal(redcc_sections_shares(&loop, 3 * 12 * 1000, bases, same, 0), 4);
-    same[0].first++, same[1].first++; /* not at an element */
+    same[0].first++, same[1].first++; /* the sections do not begin at an element */
     assert_int_equal(redcc_sections_shares(&loop, 1000000, bases, same, 0), 0);
     loop.array_count = 1;
 }
@@ -73,24 +73,25 @@ static void one_thread_where_it_is_faster(void **unused) {
     const redcc_int trip = 10000;
     struct sections it = {0};
     assert_int_equal(redcc_sections_threads(&it, trip, 1), 1);
-    redcc_sections_timed(&it, trip, 4, 1e-8); /* the first one of each does not count */
+    redcc_sections_timed(&it, trip, 4, 1e-8); /* the first time of each thread count is ignored */
     redcc_sections_timed(&it, trip, 1, 1);
-    for (int turn = 0; turn < 2; turn++) { /* they take turns */
+    for (int turn = 0; turn < 2; turn++) { /* the two thread counts alternate */
         assert_int_equal(redcc_sections_threads(&it, trip, 4), turn ? 1 : 4);
         redcc_sections_timed(&it, trip, turn ? 1 : 4, turn ? 1e-5 : 1e-4);
     }
     for (int call = 1; call < 1024; call++)
         assert_int_equal(redcc_sections_threads(&it, trip, 4), 1);
     assert_int_equal(redcc_sections_threads(&it, trip, 4), 1);
-    assert_int_equal(redcc_sections_threads(&it, trip, 4), 4);       /* compared again */
-    assert_int_equal(redcc_sections_threads(&it, 100 * trip, 4), 4); /* another size */
+    assert_int_equal(redcc_sections_threads(&it, trip, 4),
+                     4); /* 4 threads are timed again after 1024 calls */
+    assert_int_equal(redcc_sections_threads(&it, 100 * trip, 4), 4); /* another trip count */
 }
 
 static void long_ones_are_not_tried_alone(void **unused) {
     (void)unused;
     const redcc_int trip = 10000;
     struct sections it = {0};
-    redcc_sections_timed(&it, trip, 4, 1e-5); /* the first one of each does not count */
+    redcc_sections_timed(&it, trip, 4, 1e-5); /* the first time of each thread count is ignored */
     redcc_sections_timed(&it, trip, 1, 1e-5);
     redcc_sections_timed(&it, trip, 4, 1e-2);
     assert_int_equal(redcc_sections_threads(&it, trip, 4), 4);
@@ -99,7 +100,7 @@ static void long_ones_are_not_tried_alone(void **unused) {
     redcc_sections_timed(&it, trip, 4, 1e-4);
     assert_int_equal(redcc_sections_threads(&it, trip, 4), 1);
     redcc_sections_timed(&it, trip, 1, 4e-4);
-    assert_int_equal(redcc_sections_threads(&it, trip, 4), 4); /* it is slower */
+    assert_int_equal(redcc_sections_threads(&it, trip, 4), 4); /* one thread is slower */
 }
 
 static void plans_are_used_again(void **unused) {
@@ -117,7 +118,7 @@ static void plans_are_used_again(void **unused) {
     assert_int_equal(plan->copies.count, 3);
     assert_int_equal(plan->executed, 10000);
     assert_ptr_equal(redcc_sections_plan(&it, &call), plan);
-    call.threads = 1; /* another plan, with one copy, beside it */
+    call.threads = 1; /* a further plan, with one copy */
     const struct plan *alone = redcc_sections_plan(&it, &call);
     assert_int_equal(alone->copies.count, 1);
     assert_ptr_equal(redcc_sections_plan(&it, &call), alone);
@@ -133,7 +134,7 @@ static void plans_are_used_again(void **unused) {
     assert_int_equal(redcc_sections_plan(&it, &call)->copies.count, 1);
     call.threads = 2;
     assert_int_equal(redcc_sections_plan(&it, &call)->threads, 2);
-    sections[1] = sections[0]; /* two arrays of one section share its copy */
+    sections[1] = sections[0]; /* two arrays with one section share its copy */
     plan = redcc_sections_plan(&it, &call);
     assert_int_equal(plan->group_of[1], 0);
     assert_int_equal(plan->shift[1], 2000 * 8);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which signals wait, and in which threads; and that threads of a loop have the rights to memory of
- * the thread that entered it. */
+/* Which signals wait during a loop, and in which threads. Also: a loop's threads have the memory
+ * rights of the thread that entered it. */
 #define _GNU_SOURCE
 #include "base/rights.h"
 #include "base/signals.h"
@@ -35,7 +35,7 @@ static void *take_over(void *before) {
     return waits(SIGTERM) && waits(SIGINT) && waits(SIGALRM) && waits(SIGUSR1) ? before : NULL;
 }
 
-/* From before the creation of threads on, signals that end the process do so; handled ones wait. */
+/* While threads are created, signals that end the process still do so, but handled signals wait. */
 static void while_threads_are_made(void **unused) {
     (void)unused;
     struct within within;
@@ -44,19 +44,20 @@ static void while_threads_are_made(void **unused) {
     void *result = NULL;
     signal(SIGUSR1, nothing);
     redcc_within_begin(&within, false, 64);
-    assert_true(waits(SIGTERM)); /* a sequential loop may follow at once */
+    assert_true(waits(SIGTERM)); /* since a sequential loop may follow at once */
     assert_int_equal(redcc_team_prepare(2, within.signals), 2);
     assert_false(waits(SIGTERM) || waits(SIGINT) || waits(SIGALRM) || waits(SIGSEGV));
     assert_true(waits(SIGUSR1) && waits(SIGRTMIN));
     assert_int_equal(pthread_create(&thread, NULL, take_over, &waited), 0);
     assert_int_equal(pthread_join(thread, &result), 0);
-    assert_ptr_equal(result, &waited); /* there all wait from its part in the region on */
+    /* In this thread all signals wait while it executes its part of the region. */
+    assert_ptr_equal(result, &waited);
     assert_false(waited);
     redcc_within_end(within);
     assert_false(waits(SIGUSR1) || waits(SIGTERM));
     assert_int_equal(pthread_create(&thread, NULL, take_over, &waited), 0);
     assert_int_equal(pthread_join(thread, &result), 0);
-    assert_null(result); /* a thread of the program's own is left as it is */
+    assert_null(result); /* a thread of the program is left unchanged */
     signal(SIGUSR1, SIG_DFL);
 }
 
@@ -64,7 +65,7 @@ static void while_threads_are_made(void **unused) {
 
 #if defined(__x86_64__)
 
-/* On a processor without keys the two instructions are executed here. */
+/* On a processor without protection keys this handler executes the two instructions. */
 static _Thread_local uint32_t rights;
 static atomic_int reads, writes;
 
@@ -91,7 +92,7 @@ static void rights_of_threads(void **unused) {
     const struct sigaction executes = {.sa_sigaction = execute, .sa_flags = SA_SIGINFO};
     struct sigaction before;
     if (redcc_rights() != 0)
-        skip(); /* a processor with keys: attacks.77 */
+        skip(); /* this processor has protection keys, with which attacks.77 tests the rights */
     sigaction(SIGILL, &executes, &before);
     redcc_rights_assumed = true;
     rights = 0x5c;
@@ -100,7 +101,7 @@ static void rights_of_threads(void **unused) {
     assert_int_equal(atomic_load(&writes), 0);
     redcc_rights_set(0x30);
     assert_int_equal(rights, 0x30);
-    for (int threads = 1; threads <= 7; threads += 2) { /* each other thread takes and gives back */
+    for (int threads = 1; threads <= 7; threads += 2) { /* the others borrow the rights */
         struct problem problem = problem_new(0, true);
         struct described described;
         long last = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Stealable blocks: how they are cut, their cost, which thread executes them, and when auto uses
- * them. The executed loop:
+/* Stealable blocks: how they are cut, what they cost, which thread executes them, and when auto
+ * uses them. The loop:
  *
  *     for (t = 0; t < trip; t++) { b[row[t]] += 1.0 / (t + 1); b[row[t] + 1] += 0.1 * t; } */
 #include "base/memory.h"
@@ -25,7 +25,7 @@ enum { TRIP = 60000, EACH = 1 + REDCC_STEALABLE };
 
 static int row[TRIP];
 static double b[TRIP + 1], expected[TRIP + 1];
-static char executed_by[TRIP][2]; /* how often threads 0 and 1 executed each iteration */
+static char executed_by[TRIP][2]; /* number of times that threads 0 and 1 executed each iteration */
 
 static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
 static const redcc_source source = {"row", 1};
@@ -55,7 +55,8 @@ static void oracle(void) {
     }
 }
 
-/* `waits`: in its first iteration thread 1 waits until thread 0 has no work left. */
+/* Executes the loop. If `waits`, thread 1 waits in its first iteration until thread 0 has no work
+ * left. */
 static int execute(int threads, bool waits) {
     const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)}};
     void *const bases[] = {b};
@@ -129,7 +130,7 @@ static int count_of(int thread) {
     return count;
 }
 
-/* The waiting thread executes its own part, and nothing else; the other executes all stealable
+/* The waiting thread executes only its own part, and the other thread executes all stealable
  * blocks. */
 static void who_finishes_early_takes_the_stealable_blocks(void **unused) {
     (void)unused;
@@ -191,7 +192,7 @@ static void auto_takes_them_where_they_cost_little(void **unused) {
     assert_ptr_equal(method_by_auto(), &redcc_method_localwrite_steal);
 }
 
-/* Each cut separates one iteration in a hundred. */
+/* Each row occurs in 600 iterations, 1 % of all, which a cut next to it replicates. */
 static void auto_does_without_them_where_they_cost_more(void **unused) {
     (void)unused;
     if (redcc_settings()->method)
@@ -200,7 +201,7 @@ static void auto_does_without_them_where_they_cost_more(void **unused) {
     assert_ptr_equal(method_by_auto(), &redcc_method_localwrite);
 }
 
-/* The samples of one thread: iteration i touches b[i] and b[i + 1]. */
+/* Takes the sample of one thread: iteration i touches b[i] and b[i + 1]. */
 static void take_chain(struct sample *sample, int rows) {
     assert_true(redcc_sample_begin(sample, 4 * (size_t)rows, 0));
     for (int i = 0; i < rows; i++) {
@@ -229,8 +230,8 @@ static void stealable_blocks_are_small_and_joined_again(void **unused) {
         const int at = cut ? (int)((cut - (uintptr_t)b) / sizeof *b) : 0;
         assert_in_range(at + 2, begins[owner], begins[owner] + 4);
     }
-    /* Each of five cuts separates one iteration; one of these cuts exists without stealable blocks,
-     * too. */
+    /* At each of five cuts one iteration is replicated. One cut exists without stealable blocks,
+     * too, so four iterations are overhead. */
     assert_true(redcc_estimate(&partition, samples, 1, &estimate));
     const double overhead = estimate.overhead * (double)ROWS;
     assert_true(overhead > 3.9 && overhead < 4.1);
@@ -249,8 +250,8 @@ static void stealable_blocks_are_small_and_joined_again(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Each stealable schedule once, the larger ones first; the length is that of the most loaded
- * thread. */
+/* Each stealable schedule is claimed once, the larger ones first. The plan's length is that of the
+ * most loaded thread. */
 static void stealable_schedules_are_claimed_in_turn(void **unused) {
     (void)unused;
     static const uint32_t order[] = {1, 4, 7, 2, 5, 8, UINT32_MAX};
@@ -265,9 +266,9 @@ static void stealable_schedules_are_claimed_in_turn(void **unused) {
         assert_int_equal(redcc_stealable_schedule(&plan, claimed), order[claimed]);
     for (int s = 0; s < 9; s++)
         schedule[s].iterations = iterations[s];
-    /* 10 + 20 + 20 + 20 + 5 + 5 + 5 = 85 */
+    /* thread 2 claims all stealable schedules: 10 + 20 + 20 + 20 + 5 + 5 + 5 = 85 */
     assert_int_equal(redcc_plan_length(&plan), 100);
-    schedule[6].iterations = 60; /* 60 + 20 = 80, + 20 = 100, 90 + 20 = 110; then 105, 105, 110 */
+    schedule[6].iterations = 60; /* loads of the claiming threads: 80, 100, 110, 105, 105, 110 */
     assert_int_equal(redcc_plan_length(&plan), 110);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The number of threads that OpenMP must start, since the program may have started some for other
- * regions; and whether other programs use the processors. */
+ * regions. Also: whether other programs use the processors. */
 #include "base/team.h"
 
 #include "base/clock.h"
@@ -44,10 +44,10 @@ static int begin_region(int threads) {
     return came;
 }
 
-/* The order of these checks matters, since threads that OpenMP has started stay. */
+/* The order of these checks matters, since OpenMP keeps threads that it has started. */
 static void threads_that_are_there_need_not_be_started(void **state) {
     (void)state;
-    if (count_threads() >= THREADS) /* ThreadSanitizer has threads, too */
+    if (count_threads() >= THREADS) /* ThreadSanitizer has threads of its own */
         skip();
     assert_int_equal(redcc_team_to_start(1), 0);
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
@@ -55,12 +55,12 @@ static void threads_that_are_there_need_not_be_started(void **state) {
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
     if (begin_region(THREADS) < THREADS)
         skip();
-    /* the same result for the thread that asked first */
+    /* the thread that asked first still gets the same result */
     assert_int_equal(redcc_team_missing(THREADS), THREADS - 1);
     assert_int_equal(redcc_team_to_start(THREADS), 0);
     const int too_many = count_threads() + 1;
     assert_int_equal(redcc_team_to_start(too_many), too_many - 1);
-    /* each thread has a count of its own */
+    /* each thread has its own count */
     assert_int_equal(asked_by_another_thread(), THREADS - 1);
     redcc_team_begun(THREADS);
     assert_int_equal(redcc_team_missing(THREADS), 0);
@@ -75,7 +75,7 @@ static void *compute(void *unused) {
     return unused;
 }
 
-/* As many threads compute as there are processors, and some more. */
+/* Slightly more threads compute than there are processors. */
 static void threads_that_run_are_counted(void **unused) {
     (void)unused;
     enum { MOST = 512 };
@@ -88,7 +88,7 @@ static void threads_that_run_are_counted(void **unused) {
     for (int i = 0; i < count; i++)
         assert_int_equal(pthread_create(&thread[i], NULL, compute, NULL), 0);
     const double until = redcc_seconds() + 10;
-    int running = 0; /* counts all of them, once each has begun */
+    int running = 0; /* reaches at least `count` once all threads have begun */
     while (running <= count && redcc_seconds() < until)
         running = redcc_system_running();
     atomic_store(&over, true);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Tiles of loops over pairs: each pair once, each element's updates in the order of the loop, by
- * any number of threads, for tiles of one pair up to one tile. */
+/* Tiles of loops over pairs: each pair is executed once, and each element's updates keep the order
+ * of the loop. Any number of threads, and tiles of one pair up to one tile for all. */
 #include "base/flags.h"
 #include "base/memory.h"
 #include "execute/tiles.h"
@@ -38,7 +38,7 @@ static void sequentially(unsigned *element, int trip, bool below) {
             turn(element, i, j);
 }
 
-static bool is_slow; /* the first band, so that others would pass it */
+static bool is_slow; /* delays the first band, so that others would overtake it */
 
 static void execute(const redcc_tile *tile, int trip, bool below) {
     if (is_slow && tile->row == 0)
@@ -116,7 +116,7 @@ static void updates_keep_their_order(void **unused) {
         for (unsigned n = 0; n < sizeof trips / sizeof *trips; n++)
             for (unsigned s = 0; s < sizeof sides / sizeof *sides; s++) {
                 if (sides[s] == 1 && trips[n] > 64 && threads[t] > 3)
-                    continue; /* a system with few cores takes seconds */
+                    continue; /* would take seconds on a system with few cores */
                 struct plan plan = plan_of(threads[t], 1);
                 for (; plan.round < 3; plan.round++)
                     check(&plan, trips[n], sides[s], (n + s + plan.round) % 2);
@@ -124,7 +124,7 @@ static void updates_keep_their_order(void **unused) {
             }
 }
 
-/* Checks each round, whatever the flags have from the last one. */
+/* Each round must keep the order, whatever value the flags have from the last one. */
 static void no_band_passes_the_first(void **unused) {
     (void)unused;
     struct plan plan = plan_of(3, 1);
@@ -135,7 +135,7 @@ static void no_band_passes_the_first(void **unused) {
     redcc_memory_free(plan.flags);
 }
 
-/* Flags are raised modulo 2^32. */
+/* The flags' values wrap around modulo 2^32. */
 static void rounds_go_on(void **unused) {
     (void)unused;
     struct plan plan = plan_of(3, 1);

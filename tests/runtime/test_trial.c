@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* A trial of variants within one execution. The execution is cut into parts, and the variant
- * changes from part to part. Every iteration is executed once, in the loop's order for each
+ * changes from part to part. Every iteration must be executed once, in the loop's order for each
  * element:
  *
- *     for (t = 0; t < trip; t++) { b[row[t]] = b[row[t]] * 0.5 + t; b[other[t]] += t; }
- */
+ *     for (t = 0; t < trip; t++) { b[row[t]] = b[row[t]] * 0.5 + t; b[other[t]] += t; } */
 #include "loop.h"
 
 #include <omp.h>
@@ -33,7 +32,7 @@ static redcc_loop loop = {.file = "test_trial.c",
                           .source_count = 2,
                           .sources = sources};
 
-/* Iterations handed out by variant, and the number of changes of variant. */
+/* The number of iterations handed out by each variant, and the number of changes of variant. */
 static long iterations[VARIANTS], changes;
 
 static void tell_all(redcc_worker *worker) {
@@ -96,7 +95,7 @@ static void execute(int threads) {
     assert_memory_equal(b, expected, sizeof b);
 }
 
-/* Draws subscripts with large and small distances, in short and in long runs. */
+/* Draws subscripts at large and small distances, in short and in long runs. */
 static void draw(int order) {
     for (int t = 0; t < TRIP; t++) {
         row[t] = order == 0 ? rand() % ROWS : (int)((long)t * (ROWS - 8) / TRIP);
@@ -116,7 +115,7 @@ static void one_execution_is_a_trial(void **unused) {
             execute(counts[c]);
             for (unsigned variant = 0; variant < VARIANTS; variant++)
                 assert_true(iterations[variant] >= TRIP / VARIANTS / 2 / MOST_THREADS);
-            /* with stealing one thread may have executed nearly all */
+            /* with stealing one thread may have executed nearly all parts */
             assert_in_range(changes, VARIANT_PARTS - 1, counts[c] * (VARIANT_PARTS - 1));
             execute(counts[c]);
             int taken = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Variants of executions: which ones are tried, and which one is kept; and the number of lanes for
+/* Variants of executions: which ones are tried, and which one is kept. Also the number of lanes for
  * given settings. */
 #include "execute/run.h"
 
@@ -11,9 +11,9 @@
 
 #include <cmocka.h>
 
-/* The number of slices executed without and with prefetches in `executions` executions of this many
- * iterations per thread, if an iteration takes seconds[with]; every third slice takes half as long
- * again. */
+/* Sets made[] to the number of slices executed without and with prefetches. There are `executions`
+ * executions of this many iterations per thread. An iteration takes seconds[with]; every third
+ * slice takes half as long again. */
 static void execute(struct variants *it, bool open, int executions, redcc_int iterations,
                     const double seconds[VARIANTS], int made[VARIANTS]) {
     memset(made, 0, VARIANTS * sizeof *made);
@@ -54,7 +54,7 @@ static void the_faster_one_is_kept(void **unused) {
     assert_int_equal(made[true], 3);
     execute(&it, true, 64, SHORT, gains, made);
     assert_int_equal(made[true], 64);
-    execute(&it, true, 6, SHORT, loses, made); /* the data changed */
+    execute(&it, true, 6, SHORT, loses, made); /* now the data have changed */
     assert_int_equal(made[true], 3);
     execute(&it, true, 128, SHORT, loses, made);
     assert_int_equal(made[true], 0);
@@ -79,7 +79,7 @@ static void one_long_execution_does_for_a_trial(void **unused) {
     }
 }
 
-/* Five slices per execution: three rounds take two executions. */
+/* With five slices per execution, three rounds take two executions. */
 static void executions_in_between_have_some_parts(void **unused) {
     (void)unused;
     const double close[VARIANTS] = {1.0, 1.1}, clear[VARIANTS] = {3.0, 1.0};
@@ -94,7 +94,8 @@ static void executions_in_between_have_some_parts(void **unused) {
     assert_true(redcc_variant_of(&other, true, 0));
 }
 
-/* One execution with slices that become slower, or with one interruption. */
+/* Returns the variant that one execution finds best, with slices that become slower or with one
+ * interruption. */
 static bool best_where(bool best, double drift, unsigned interrupted) {
     struct variants it = {0};
     double each[VARIANT_PARTS];
@@ -133,7 +134,7 @@ static void two_rounds_do_where_the_best_is_evident(void **unused) {
     }
 }
 
-/* The result survives executions that prefetches do not affect. */
+/* The result is kept in executions for which prefetches make no difference. */
 static void what_is_known_stays(void **unused) {
     (void)unused;
     const double seconds[VARIANTS] = {1.0, 0.5};
@@ -147,7 +148,8 @@ static void what_is_known_stays(void **unused) {
     assert_true(redcc_variant_of(&it, true, 0));
 }
 
-/* Slices of 10 iterations out of 33 executed in four: handed out runs are cut there. */
+/* 33 iterations are executed in slices of 10: runs that are handed out are cut at the slices'
+ * ends. */
 static void iterations_are_cut_into_parts(void **unused) {
     (void)unused;
     struct parts it;
@@ -165,7 +167,8 @@ static void iterations_are_cut_into_parts(void **unused) {
         assert_true(iterations[part] == expected[part]); /* NOLINT: whole numbers */
         assert_true(seconds[part] >= 0);
     }
-    /* additional iterations belong to the last part; with fewer, some parts have none */
+    /* additional iterations belong to the last part; with too few iterations some parts are
+     * empty */
     redcc_parts_begin(&it, 2, 9);
     for (int i = 0; i < 33; i++) {
         redcc_parts_next(&it);
@@ -186,8 +189,8 @@ static void iterations_are_cut_into_parts(void **unused) {
     assert_true(iterations[0] == 0); /* NOLINT */
 }
 
-/* The runs of a chunk, read in parts of each length, have the same iterations, checked as before.
- */
+/* The runs of a chunk, read in parts of each length, must contain the same iterations, with the
+ * same checks. */
 static void expect_all_in_parts(const struct schedule *schedule, const char *checked,
                                 redcc_int trip, redcc_int length) {
     struct run_reader reader = redcc_runs_of(schedule, &schedule->chunk[0]);
@@ -233,7 +236,7 @@ static void runs_are_read_in_parts(void **unused) {
     }
 }
 
-/* Does an execution prefetch, whose first plan comes in runs of `length` iterations? */
+/* Does an execution prefetch if its first plan has runs of `length` iterations? */
 static bool prefetches(unsigned flags, enum prefetch_setting setting, int length) {
     struct offsets touched[1] = {{0, 1 << 24}};
     struct schedule schedule[1] = {{.iterations = 100 * length, .run_count = 100}};

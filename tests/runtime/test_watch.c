@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Write tracking of subscripts: unchanged ones are not read, and tracking does not disturb the
- * program. On a system without page tracking the tests are skipped with a message. */
+/* Write tracking of subscripts: unmodified subscripts are not read, and tracking does not disturb
+ * the program. On a system without page tracking the tests are skipped with a message. */
 #define _GNU_SOURCE /* sbrk, syscall */
 #include "watched.h"
 
@@ -40,8 +40,8 @@ static void nothing_changed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Subscripts are rewritten with the same values: no other plan is built, and afterwards they are
- * tracked again. */
+/* Subscripts are rewritten with the same values: no other plan is built, and later the subscripts
+ * are tracked again. */
 static void the_same_values_again(void **unused) {
     (void)unused;
     need_watching();
@@ -50,17 +50,18 @@ static void the_same_values_again(void **unused) {
     run_until_watched(&fixture);
     fixture.problem.row[AT] += 0;
     *(volatile int *)&fixture.problem.row[AT] = fixture.problem.row[AT];
-    assert_true(run_right(&fixture)); /* start was not read */
+    assert_true(run_right(&fixture)); /* `start` was not read */
     assert_int_equal(sources_watched(&fixture), 1);
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
-    int calls = 0; /* one failure: twice the threshold */
+    int calls = 0; /* after one failure the threshold is doubled */
     while (sources_watched(&fixture) < 2 && calls++ < 200)
         run_right(&fixture);
     assert_in_range(calls, 70, 90);
     fixture_end(&fixture);
 }
 
-/* Subscripts that are rewritten before each execution are tracked less and less often. */
+/* Subscripts that are rewritten before each execution are tracked less and less often
+ * (back-off). */
 static void patience_grows(void **unused) {
     (void)unused;
     need_watching();
@@ -114,7 +115,7 @@ static void freed_and_taken_again(void **unused) {
     fill(fixture.problem.row, 4711);
     run_right(&fixture);
     assert_int_equal(statistics_of(&fixture)->plans_built, 2);
-    for (int size = 2; size < 64; size *= 2) { /* the memory grows, and may move */
+    for (int size = 2; size < 64; size *= 2) { /* the memory grows and may move */
         fixture.problem.row = realloc(fixture.problem.row, (size_t)size * TRIP * sizeof(int));
         assert_non_null(fixture.problem.row);
         fill(fixture.problem.row, (unsigned long)size);
@@ -126,7 +127,7 @@ static void freed_and_taken_again(void **unused) {
     fixture_end_at(&fixture);
 }
 
-/* Memory that is not private, or that devices may write, is read each time. */
+/* Memory that is not private, or that devices may write, is read in each call. */
 static void what_others_may_write_is_not_watched(void **unused) {
     (void)unused;
     need_watching();
@@ -142,7 +143,7 @@ static void what_others_may_write_is_not_watched(void **unused) {
     }
     const struct loop_state *state = fixture.described.loop.state;
     assert_int_equal(state->cache.back_off.length,
-                     LEARN_BACK_OFF); /* not tried again at each call */
+                     LEARN_BACK_OFF); /* not tried again in each call */
     const pid_t child = fork();
     if (child == 0) {
         by_a_store(&fixture);
@@ -168,8 +169,8 @@ static int room_for_descriptors(void) {
     return room;
 }
 
-/* The program gets the same descriptors as without tracking, and the descriptor table does not
- * grow, which would take long in a process with threads. */
+/* The program gets the same descriptors as without tracking. The descriptor table does not grow,
+ * since that would take long in a process with threads. */
 static void descriptors_stay_low(void **unused) {
     (void)unused;
     need_watching();
@@ -185,7 +186,7 @@ static void descriptors_stay_low(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Runs the test in a child process; returns whether it succeeded. */
+/* Runs the test in a child process. Returns whether it succeeded. */
 static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
     fflush(stdout);
     const pid_t child = fork();
@@ -206,11 +207,11 @@ static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
         }                                                                                          \
     while (0)
 
-/* Only the registry of tracked pages, since the loop would need threads. */
+/* Tests only the registry of tracked pages, since a loop would need threads. */
 static void in_a_child(struct fixture *fixture) {
     const struct range pages = rows_of(fixture);
     CHECK(!redcc_pages_begun());
-    CHECK(redcc_watch_share(pages) == 0); /* the parent's versions are of the parent's memory */
+    CHECK(redcc_watch_share(pages) == 0); /* the parent's versions refer to the parent's memory */
     for (uint64_t version = 1; version < 200; version++)
         CHECK(redcc_watch_ask(pages, version) == WATCH_TOUCHED);
     const uint64_t version = redcc_watch_begin(pages);
@@ -236,7 +237,7 @@ static void forked(void **unused) {
     fixture_end(&fixture);
 }
 
-/* The program closes all descriptors and opens other files with their numbers. */
+/* The program closes all descriptors and opens other files under their numbers. */
 static void without_descriptors(struct fixture *fixture) {
     const struct range pages = rows_of(fixture);
     uint64_t version = redcc_watch_begin(pages);
@@ -261,7 +262,7 @@ static void descriptors_are_closed(void **unused) {
 }
 
 /* Tracking of a plan's subscripts has begun, but then fewer threads arrived and another plan was
- * compared: the first plan's subscripts stay unknown. */
+ * compared. The first plan's subscripts stay unknown. */
 static void watched_but_not_compared(void **unused) {
     (void)unused;
     need_watching();
@@ -302,7 +303,7 @@ static void a_huge_page(void **unused) {
     munmap(place, bytes);
 }
 
-/* Open descriptors through which memory may be written, or marks removed, forbid tracking. */
+/* Open descriptors through which memory may be written, or marks removed, prevent tracking. */
 static void what_is_open_forbids_it(void **unused) {
     (void)unused;
     need_watching();
@@ -320,7 +321,7 @@ static void what_is_open_forbids_it(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A seccomp filter may kill the process for a system call, so none is made under a filter. */
+/* Under a seccomp filter a system call may kill the process, so none may be made. */
 static void under_a_filter(struct fixture *fixture) {
     struct sock_filter allow = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
     const struct sock_fprog filter = {1, &allow};
@@ -366,8 +367,8 @@ static void many_ranges(void **unused) {
     munmap(place, RANGES * 8192);
 }
 
-/* Subscripts in the heap, which brk grows and shrinks. The last test, because malloc then has
- * enough memory for all later allocations, and the heap's end belongs to this test. */
+/* Subscripts in the heap, which brk extends and shrinks. This test is the last one: afterwards
+ * malloc needs no memory from the system, and nothing else moves the heap's end. */
 static void subscripts_in_the_heap(void **unused) {
     (void)unused;
     need_watching();
@@ -384,10 +385,10 @@ static void subscripts_in_the_heap(void **unused) {
     struct fixture fixture;
     fixture_begin_at(&fixture, (int *)(void *)begin);
     run_and_share(&fixture);
-    assert_ptr_equal(sbrk(bytes), begin + bytes); /* grows beyond the tracked range */
+    assert_ptr_equal(sbrk(bytes), begin + bytes); /* the heap grows beyond the tracked range */
     memset(begin + bytes, 1, (size_t)bytes);
     assert_true(run_right(&fixture));
-    /* returned to the system and allocated again, it contains zeros */
+    /* returned to the system and allocated again, the memory contains zeros */
     assert_ptr_not_equal(sbrk(-bytes - bytes), (void *)-1);
     assert_ptr_equal(sbrk(bytes), begin);
     run_right(&fixture);
@@ -395,14 +396,14 @@ static void subscripts_in_the_heap(void **unused) {
     fixture_end_at(&fixture);
 }
 
-/* Simulates that auto ran the original loop in this many calls. */
+/* Makes it seem that auto ran the original loop in this many calls. */
 static void let_rest(struct fixture *fixture, long calls) {
     struct loop_state *state = fixture->described.loop.state;
     state->chooser.skipped += calls;
 }
 
-/* Simulates that the plan has saved this many seconds beyond its construction before the next call.
- */
+/* Makes it seem that the plan has saved this many seconds beyond its construction before the next
+ * call. */
 static void let_earn(struct fixture *fixture, double seconds) {
     struct loop_state *state = fixture->described.loop.state;
     for (int size = 0; size < REDCC_SIZES; size++) {
@@ -412,8 +413,8 @@ static void let_earn(struct fixture *fixture, double seconds) {
     }
 }
 
-/* Subscripts that did not change during a back-off of auto are tracked at the first retry, so that
- * its time benefits from tracking. */
+/* Subscripts that did not change during a back-off of auto are tracked at the first retry, whose
+ * time benefits from tracking. */
 static void calls_at_rest_count(void **unused) {
     (void)unused;
     need_watching();
@@ -425,14 +426,14 @@ static void calls_at_rest_count(void **unused) {
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     let_rest(&fixture, 5);
     for (int call = 0; call < 3; call++) {
-        let_earn(&fixture, 0); /* savings would pay for tracking, too (see below) */
+        let_earn(&fixture, 0); /* otherwise savings would pay for tracking (see savings_pay) */
         assert_false(run_right(&fixture));
     }
     let_rest(&fixture, 100);
     let_earn(&fixture, 0);
     assert_false(run_right(&fixture)); /* compared */
     let_earn(&fixture, 0);
-    assert_false(run_right(&fixture)); /* the pages are protected and compared */
+    assert_false(run_right(&fixture)); /* protects and compares the pages */
     assert_true(run_right(&fixture));
     assert_int_equal(sources_watched(&fixture), 2);
     by_a_store(&fixture); /* the change is detected: the original loop runs, then a new plan */
@@ -443,7 +444,7 @@ static void calls_at_rest_count(void **unused) {
 }
 
 /* The plan's savings pay for tracking one source after the other, long before comparisons have cost
- * the same: of 78 pages each, 1.4 microseconds a page and 250. */
+ * as much. Tracking a source of 78 pages costs 1.4 microseconds per page and 250 microseconds. */
 static void savings_pay(void **unused) {
     (void)unused;
     need_watching();

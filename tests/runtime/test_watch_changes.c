@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Write tracking detects every way of changing subscripts. */
+/* Write tracking must detect every way of changing subscripts. */
 #define _GNU_SOURCE /* mremap, process_vm_writev */
 #include "watched.h"
 
@@ -170,8 +170,8 @@ static void by_moving_watched_pages_here(struct fixture *fixture) {
                      fixture->place);
 }
 
-/* The same; then other pages of the mapping are tracked, which registers the mapping with the
- * system again. */
+/* Moves pages likewise. Then other pages of the mapping are tracked, which registers the mapping
+ * with the system again. */
 static void by_moving_and_watching_beside(struct fixture *fixture) {
     by_moving_watched_pages_here(fixture);
     const uintptr_t end = (uintptr_t)fixture->place + fixture->place_bytes;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Overlapping ranges of pages are tracked and changed at random, in many ways. A range that the
- * registry calls untouched must have the contents from the beginning of its version, which a copy
- * records. */
+/* Overlapping ranges of pages are tracked and changed at random, in many ways. If the registry
+ * reports a range as untouched, its contents must equal the copy made at the beginning of its
+ * version. */
 #define _GNU_SOURCE /* mremap */
 #include "reuse/pages/watch.h"
 #include "watched.h"
@@ -16,11 +16,11 @@
 
 #include <cmocka.h>
 
-enum { PAGES = 1100, RANGES = 12, STEPS = 1500 }; /* two tables of pages and a bit */
+enum { PAGES = 1100, RANGES = 12, STEPS = 1500 }; /* slightly more than two page tables */
 
 struct kept {
     struct range pages;
-    uint64_t version; /* 0: not watched */
+    uint64_t version; /* 0 if the range is not tracked */
     char *copy;
 };
 
@@ -70,7 +70,7 @@ static void map_anew(void) {
 static void move(void) {
     const size_t count = draw(16) + 1, from = draw(PAGES / 2 - count);
     const size_t to = PAGES / 2 + draw(PAGES / 2 - count);
-    for (size_t p = 0; p < count; p++) { /* one by one: they may lie in several mappings */
+    for (size_t p = 0; p < count; p++) { /* one by one, since they may lie in several mappings */
         char *const old = place + (from + p) * page;
         assert_ptr_not_equal(
             mremap(old, page, page, MREMAP_MAYMOVE | MREMAP_FIXED, place + (to + p) * page),
@@ -105,7 +105,8 @@ static void change(void) {
         often[draw(sizeof often / sizeof *often)]();
 }
 
-/* Every second range consists of whole quarters, so that some ranges are equal. */
+/* Begins tracking of a random range. Every second range consists of whole quarters, so that some
+ * ranges are equal. */
 static void watch(struct kept *kept) {
     const size_t grain = draw(2) ? 1 : PAGES / 4, first = draw(PAGES / grain) * grain;
     const size_t count = (draw((PAGES - first) / grain) + 1) * grain;
@@ -141,7 +142,7 @@ static void what_is_untouched_is_what_it_was(void **unused) {
         watched += kept[number].version > 0;
         for (size_t changes = draw(3); changes > 0; changes--)
             change();
-        /* not all ranges, because a query updates a version */
+        /* not all ranges, because a query changes a range's version */
         untouched += check(&kept[draw(RANGES)]);
     }
     for (int i = 0; i < RANGES; i++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The number of threads of the process, according to the system. */
+/* Returns the number of threads of the process, according to the system. */
 #ifndef THREAD_COUNT_H
 #define THREAD_COUNT_H
 

@@ -67,13 +67,13 @@ const struct statistics *statistics_of(const struct fixture *fixture) {
     return &((const struct loop_state *)fixture->described.loop.state)->reported.statistics;
 }
 
-/* Did the last run read all subscripts? */
+/* Did the last run leave some subscripts unread, because tracking showed them unmodified? */
 static bool last_was_watched(struct fixture *fixture, long before) {
     return statistics_of(fixture)->watched > before;
 }
 
-/* Runs the loop and compares with the oracle; returns whether tracking made reading some subscripts
- * unnecessary. */
+/* Runs the loop and compares with the expected result. Returns true if tracking made reading some
+ * subscripts unnecessary. */
 bool run_right(struct fixture *fixture) {
     struct problem *problem = &fixture->problem;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -88,7 +88,7 @@ bool run_right(struct fixture *fixture) {
     return last_was_watched(fixture, before);
 }
 
-/* Counts `start` as well as `row`; a test changes one of them, and the other stays tracked. */
+/* Counts both `start` and `row`: a test changes one of them, and the other stays tracked. */
 uint32_t sources_watched(const struct fixture *fixture) {
     const struct loop_state *state = fixture->described.loop.state;
     return redcc_reuse_skipped_sources(&state->execution.reuse);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A loop with subscripts at a given address, large enough to be tracked (dirty-page tracking). */
+/** A loop with subscripts at a given address, which are large enough to be tracked (dirty-page
+ * tracking). */
 #ifndef WATCHED_H
 #define WATCHED_H
 
@@ -12,7 +13,7 @@ enum {
     ROWS = 3000,
     HUGE_PAGE = 2 << 20,
     AT = TRIP / 2, /* index of a subscript in a page in the middle */
-    /* one call builds the plan, 38 find both sources unchanged, one begins tracking */
+    /* One call builds the plan, 38 calls find both sources unchanged, and one begins tracking. */
     CALLS_UNTIL_WATCHED = 40
 };
 
@@ -20,11 +21,11 @@ struct fixture {
     struct problem problem;
     struct described described;
     double *expected;
-    char *place; /* mapped memory; the subscripts begin some bytes behind its start */
+    char *place; /* mapped memory; the subscripts begin some bytes after its start */
     size_t place_bytes;
 };
 
-/** Private memory without a file. */
+/** Returns private memory without a file. */
 char *map_pages(size_t bytes);
 
 /** Fills the subscripts at random. */
@@ -36,31 +37,31 @@ void fixture_begin_at(struct fixture *fixture, int *row);
 /** Makes a fixture whose subscripts are in a separate mapping. */
 void fixture_begin(struct fixture *fixture);
 
-/** Ends what fixture_begin_at began. */
+/** Frees what fixture_begin_at made. */
 void fixture_end_at(struct fixture *fixture);
 
-/** Ends what fixture_begin began. */
+/** Frees what fixture_begin made. */
 void fixture_end(struct fixture *fixture);
 
 const struct statistics *statistics_of(const struct fixture *fixture);
 
-/** Runs the loop and compares with the oracle. Returns whether tracking made reading some
+/** Runs the loop and compares with the expected result. Returns true if tracking made reading some
  * subscripts unnecessary. */
 bool run_right(struct fixture *fixture);
 
-/** The number of the two sources, `start` and `row`, that the last run did not read. */
+/** Returns how many of the two sources, `start` and `row`, the last run did not read. */
 uint32_t sources_watched(const struct fixture *fixture);
 
 /** Runs the loop until both sources are tracked. */
 void run_until_watched(struct fixture *fixture);
 
-/** The whole pages of the subscripts. */
+/** Returns the whole pages of the subscripts. */
 struct range rows_of(const struct fixture *fixture);
 
-/** The same as run_until_watched, but at once, as if another loop had begun tracking. */
+/** Like run_until_watched, but at once, as if another loop had begun tracking. */
 void run_and_share(struct fixture *fixture);
 
-/** A subscript that differs from the one at AT. */
+/** Returns a subscript that differs from the one at AT. */
 int other(const struct fixture *fixture);
 
 /** Changes the subscript at AT. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** parse_yaml: reads YAML from standard input, prints the number of documents, and each key of
- *  their top mappings with its scalar value. Exit status 1, and a message, if it is no YAML. */
+/** parse_yaml reads YAML from standard input. It prints the number of documents, and each key of
+ * their top mappings with its scalar value. If the input is no YAML, it prints a message and exits
+ * with status 1. */
 #include <stdio.h>
 #include <yaml.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* redcc with planted faults, linked with --wrap=emit_file: the text of a loop that contains the
- * words below is spoilt after it was written. */
+/* redcc with deliberate faults, linked with --wrap=emit_file: after the text of a loop with one of
+ * the words below has been generated, it is damaged. */
 #define _GNU_SOURCE /* memmem */
 #include <string.h>
 

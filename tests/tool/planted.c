@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* For check-planted: what plant_errors.c does to these loops must be found, and cost no other loop.
- */
+/* For check-planted: the faults that plant_errors.c makes in these loops must be detected, and
+ * other loops must still be transformed. */
 static double here[64], hers[64];
 static int one[1000];
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Byte edits: order of insertions, and every kind of edit that must be refused. */
+/** Byte edits: the order of insertions, and every kind of edit that must be refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

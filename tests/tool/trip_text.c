@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Prints a C program that compares the trip counts that redcc writes with loops that are run.
+ * Prints a C program that compares the trip counts of generated code with loops that are executed.
  *
- * For each type of counter and of bound, each comparison and several steps there is one function
- * that holds the generated text and one that holds the loop itself; both get values from the ends
- * of their types and around zero. Generated text may decline (a count of 0 leaves the sequential
- * loop to run), but what it accepts must be the loop's count and last value; and for plain values
- * it must not decline.
+ * For each type of counter and bound, each comparison and several steps the program has a function
+ * with the generated text and one with the loop itself. Both get values near the limits of their
+ * types and around zero. The generated text may decline by a count of 0, for which the sequential
+ * loop runs. Otherwise it must give the loop's count and last value. For ordinary values it must
+ * not decline.
  */
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* dump_ir FILE.c [FLAGS]: prints the errors and the IR; fails where the checker complains or where
- * the text does not read back as the same. */
+/* dump_ir FILE.c [FLAGS] prints the errors and the IR. It fails if the checker reports a fault, or
+ * if the printed text is not read back as the same IR. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Units from IR text, for tests: fails the test, with the message, if the text is invalid. */
+/** Reads units from IR text, for tests. The test fails with the message if the text is invalid. */
 #ifndef UNIT_READ_IR_H
 #define UNIT_READ_IR_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Properties that the goldens do not show: bytes under ranges, flags, errors, depth, C printed and
- * parsed again. */
+/* Properties that the expected IR texts do not show: the bytes of ranges, flags, errors, depth, and
+ * C that is printed and parsed again. */
 #include "read_ir.h"
 
 #include "frontend/flags.h"
@@ -245,7 +245,7 @@ static void test_missing_header_taints_all(void **state) {
     arena_free(a);
 }
 
-/* What gcc takes with a warning is no error. */
+/* Code that gcc accepts with a warning is no error. */
 static void test_old_c(void **state) {
     (void)state;
     arena *a = arena_new();
@@ -266,8 +266,8 @@ static void test_empty_and_odd_sources(void **state) {
     arena_free(a);
 }
 
-/* The function of a cleanup attribute is called where the scope ends, with the variable's address.
- */
+/* The function of a cleanup attribute is called at the end of the scope, with the variable's
+ * address. */
 static void test_cleanup_attribute_is_opaque(void **state) {
     (void)state;
     static const char *const spellings[] = {"cleanup", "__cleanup__"};
@@ -319,8 +319,8 @@ static void test_depth(void **state) {
     arena_free(a);
 }
 
-/* Many functions that call each other, many errors: no more than proportional work. Quadratic
- * behaviour would take minutes here. */
+/* Many functions that call each other, and many errors: the work must be proportional. Quadratic
+ * work would take minutes here. */
 static void test_many_functions(void **state) {
     (void)state;
     enum { COUNT = 5000 };
@@ -344,7 +344,7 @@ static bool forget_place(ir_node *node, void *context) {
     return true;
 }
 
-/* The IR, without places, of the expression on the right of the only assignment. */
+/* Returns the IR, without source positions, of the right side of the only assignment. */
 static char *tree_of(arena *a, const char *expression, ir_node **node) {
     const char *text = arena_format(
         a,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The helpers of ir.h: types, paths, used values, substitution. */
+/* The helper functions of ir.h: types, paths, used values and substitution. */
 #include "read_ir.h"
 
 #include "ir/ir_c.h"
 
-/* The expression in a function with these variables around it. */
+/* Returns the expression in a function with these variables. */
 static ir_node *expression(arena *a, const char *text) {
     ir_unit *unit = read_ir(
         a, arena_format(a,
@@ -126,7 +126,7 @@ static void test_substitute(void **state) {
     assert_string_equal(as_c(a, copy), "*&R[i] += w");
     assert_null(copy->parent);
     assert_ptr_equal(copy->children[1]->parent, copy);
-    assert_string_equal(as_c(a, update), "*d += v"); /* the original is as it was */
+    assert_string_equal(as_c(a, update), "*d += v"); /* the original is unchanged */
     assert_ptr_equal(call->children[1]->parent, call);
     ir_node *const first_only[] = {call->children[1], NULL};
     assert_string_equal(as_c(a, ir_substitute(a, update, add, first_only)), "*&R[i] += v");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The text form: what was printed reads back as the same; bad text is refused with its place; the
- * checker finds what is broken on purpose. */
+/* The text form of the IR: printed text is read back as the same IR, invalid text is refused with
+ * its position, and the checker finds deliberate faults. */
 #include "read_ir.h"
 
 static char *printed(arena *a, const ir_unit *unit) {
@@ -11,7 +11,7 @@ static char *printed(arena *a, const ir_unit *unit) {
     return text;
 }
 
-/* As the printer writes it, with all kinds of nodes and types. */
+/* A text with all kinds of nodes and types, exactly as the printer writes it. */
 static const char canonical[] =
     "(unit \"all.c\" !no-strict-aliasing\n"
     "  (bytes 900)\n"
@@ -120,7 +120,7 @@ static void test_round_trip(void **state) {
     arena_free(a);
 }
 
-/* Most of it is printed as above: the differences are defaults spelled out there. */
+/* A text in the canonical form is printed unchanged. */
 static void test_canonical_text_is_kept(void **state) {
     (void)state;
     arena *a = arena_new();
@@ -295,7 +295,7 @@ static void test_bad_texts(void **state) {
     }
 }
 
-/* Every beginning of a good text is bad text, and no more than that. */
+/* Every proper prefix of a valid text is refused, and has no other effect. */
 static void test_cut_texts(void **state) {
     (void)state;
     for (size_t length = 0; length < sizeof canonical - 2; length++) {
@@ -399,7 +399,7 @@ static void test_node_alone(void **state) {
     arena_free(a);
 }
 
-/* A byte 0 in a text: bad, and no reason to stop reading with a crash. */
+/* A zero byte in a text is refused and must not cause a crash. */
 static void test_zero_byte(void **state) {
     (void)state;
     static const char text[] = "(unit \"a\" (global x named(\"q\0\",int)))";

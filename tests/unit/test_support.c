@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Arena, buffer, vector, map, source file. */
+/* Arena, buffer, vector, map and source file. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +24,7 @@ static void test_arena_is_zeroed_and_aligned(void **state) {
         assert_int_equal((uintptr_t)memory % _Alignof(max_align_t), 0);
         for (size_t i = 0; i < size; i++)
             assert_int_equal(memory[i], 0);
-        memset(memory, 0xff, size); /* must not show in what comes after */
+        memset(memory, 0xff, size); /* must not be visible in later allocations */
     }
     assert_true(arena_used(a) > 40000);
     arena_free(a);
@@ -39,7 +39,7 @@ static void test_arena_can_be_cleared(void **state) {
             unsigned char *memory = arena_allocate(a, size);
             for (size_t i = 0; i < size; i++)
                 assert_int_equal(memory[i], 0);
-            memset(memory, 0xff, size); /* must not show in the next round */
+            memset(memory, 0xff, size); /* must not be visible in the next round */
         }
         arena_clear(a);
         assert_int_equal(arena_used(a), 0);

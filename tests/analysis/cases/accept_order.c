@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Updates that do not commute: the order of each element is kept. Covers: rows 22, 23, 27, 28, 37,
- * 39 of the construct table, and the note on methods that keep the order. */
+/* Updates that do not commute: each element's updates must keep their order. Covers rows 22, 23,
+ * 27, 28, 37 and 39 of docs/constructs.md, and its note on methods that keep the order. */
 #include <math.h>
 #include <stdbool.h>
 
@@ -28,8 +28,8 @@ void no_operator(int n, const int *s, const double *e, double *restrict h, unsig
         h[s[i]] += 0.5 * h[s[i]];
 }
 
-/* A counter that stops at a constant limit has an operator; one limit for all updates, that no step
- * passes. */
+/* A counter that stops at a constant limit has an operator of its own if all its updates have one
+ * limit, which no step passes. */
 void saturating(int n, const int *s, const int *r, unsigned limit, unsigned char *restrict h,
                 signed char *restrict g) {
     for (int i = 0; i < n; i++) // EXPECT: transform h(+limit)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Covers: rows 9, 11, 20, 21, 26, 46, 47, 51, 53, 54, 58, 59 of the construct table. */
+/* Covers rows 9, 11, 20, 21, 26, 46, 47, 51, 53, 54, 58 and 59 of docs/constructs.md. */
 #include <math.h>
 #include <stddef.h>
 

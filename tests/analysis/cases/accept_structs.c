@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Covers: rows 17, 45, 46, 48, 59 of the construct table. */
+/* Covers rows 17, 45, 46, 48 and 59 of docs/constructs.md. */
 #include <math.h>
 
 struct vec {

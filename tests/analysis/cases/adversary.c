@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops made to be accepted wrongly. Covers: rows 18, 29, 30, 45, 59, 60 of the construct table. */
+/* Loops for which a verdict may easily be wrong. Covers rows 18, 29, 30, 45, 59 and 60 of docs/constructs.md. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -309,8 +309,8 @@ void comma_definition(int n, const int *s, double *h) {
 
 static int short_table[4];
 
-/* Neither short_table[m] nor a[5] may be read before the loop: their conditions protect them. The
- * keys are s and m, and a and a[0]. */
+/* Conditions protect short_table[m] and a[5], so neither may be read before the loop. The plan's
+ * keys are s and m in the first loop, and also a and a[0] in the second. */
 void protected_elements(int n, int m, const int *s, const int *a, double *restrict h) {
     for (int i = 0; i < n; i++) { // EXPECT: transform h(+) verifiable keys=2
         int k = s[i];
@@ -326,7 +326,7 @@ void protected_elements(int n, int m, const int *s, const int *a, double *restri
     }
 }
 
-/* ---- from one member to the next: C gives it no meaning, programs do it all the same ---------- */
+/* ---- a pointer to one member reaches the next: undefined in C, but programs do it -------------- */
 
 struct point {
     double x, y, z;

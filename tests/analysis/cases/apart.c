@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reads that may overlap the array, each except for one fact that appears to exclude it. */
+/* Reads that may overlap the array. In each loop one fact seems to exclude the overlap. */
 
 struct one {
     double x;
@@ -35,7 +35,7 @@ void restrict_that_is_not(int n, const int *s, const double *w, double *restrict
         h[s[i]] += w[i];
 }
 
-/* ---- rows: between the first and the last iteration ---- */
+/* ---- rows: the addresses of the first and last iteration do not bound the others ---- */
 
 void rows_of_anywhere(int n, const int *s, double *const *rows, double *h) {
     for (int i = 0; i < n; i++) // EXPECT: transform h(+) guards=1 told=1

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions that set errno, called by others. */
+/* Functions that set errno, called by other functions. */
 #include <math.h>
 
 static double root(double x) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Conditions of a kept plan, and computations that the inspector repeats. */
+/* Conditions under which a plan is kept, and computations that the inspector repeats. */
 
 struct pair {
     int place, other;
@@ -87,7 +87,7 @@ void along_a_row_reading_elsewhere(int n, int m, const int *s, const double *w, 
             h[s[i] * m + c] += w[c * (m - c)];
 }
 
-/* ---- read in some iterations ---- */
+/* ---- only some iterations read ---- */
 
 void behind_a_continue(int n, const int *s, const int *z, const double *w, double *h) {
     for (int i = 0; i < n; i++) { // EXPECT: transform h(+) sometimes=1

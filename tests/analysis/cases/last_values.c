@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Live-out private variables: first uses that a search may miss. */
+/* Private variables used after the loop (live-out), whose first use a search may miss. */
 
 double written_in_one_branch(int n, int m, const int *s, const double *w, double *h) {
     double d = 0;

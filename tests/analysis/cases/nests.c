@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which loop of a nest is judged. Covers: row 7 of the construct table. */
+/* Which loop of a nest gets the verdict. Covers row 7 of docs/constructs.md. */
 static void add(double *d, double v) {
     *d += v;
 }
@@ -138,7 +138,7 @@ void looked_up_segments(int n, const int *start, const int *row, double *restric
             y[p] += 1.0;
 }
 
-/* Each of two counters begins where the other has led: the search ends. */
+/* Each counter's first value depends on the other counter: the search for dependences must end. */
 void round_about(int n, const int *a, const int *b, double *restrict y) {
     int p = 0, q = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried

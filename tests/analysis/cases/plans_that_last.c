@@ -1,5 +1,5 @@
-/* Which arrays decide where a plan holds: those that say which elements could be touched, not
- * those by which it is decided whether they are. */
+/* Which arrays decide whether a plan is still valid: those that select the elements that may be
+ * touched, not those of conditions that decide whether an element is touched. */
 void cut_off(int n, double *restrict f, const double *restrict x, const int *restrict p,
              const int *restrict q, double cut) {
     for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable rests-on=p,q
@@ -50,7 +50,7 @@ void components_under_a_condition(int n, double *restrict f, const double *restr
     }
 }
 
-/* Behind the condition something is read that the program might not read. */
+/* The load of q[i] is executed only under the condition, and might be out of bounds otherwise. */
 void read_behind(int n, double *restrict f, const double *restrict x, const int *restrict p,
                  const int *restrict q, double cut) {
     for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=p,x,q
@@ -73,7 +73,7 @@ void read_behind_in_a_row(int n, double *restrict f, const double *restrict x,
         }
 }
 
-/* The condition's counter keeps its value in the next round of the inner loop. */
+/* The condition's counter `place` keeps its value for the next turn of the inner loop. */
 void counted_in_a_row(int n, double *restrict f, const double *restrict x,
                       const int *restrict start, double cut) {
     for (int i = 0; i < n; i++) { // EXPECT: transform f(+) rests-on=start,x
@@ -125,7 +125,7 @@ void set_by_the_condition(int n, double *restrict f, const double *restrict x,
     }
 }
 
-/* The inner counter outlives the condition. */
+/* The inner counter's value is used after the condition. */
 void counter_outlives(int n, double *restrict f, const double *restrict x, const int *restrict p,
                       double cut) {
     for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=x,p
@@ -204,7 +204,7 @@ struct bodies {
     const double *x;
 };
 
-/* The array's pointer is read under the condition alone; each iteration reads another member. */
+/* Only the condition's branch reads the array's pointer, but each iteration reads another member of *s. */
 void pairs_in_a_record(struct bodies *s, double cut) {
     for (int i = 0; i < s->n; i++) // EXPECT: transform s->f(+) verifiable
         for (int k = i + 1; k < s->n; k++) {
@@ -216,7 +216,7 @@ void pairs_in_a_record(struct bodies *s, double cut) {
         }
 }
 
-/* No iteration may have read *s: its condition is invariant, and so are the operands of that. */
+/* Perhaps no iteration reads *s: the condition, which does not read it, may always be false. */
 void optional_record(struct bodies *s, int m, const int *restrict p, const double *restrict x,
                      double cut) {
     for (int t = 0; t < m; t++) { // EXPECT: refuse base-conditional

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R4xx. Covers: rows 14 to 19, 57, 62 of the construct table. PURE list:
+/* Reasons R4xx. Covers rows 14 to 19, 57 and 62 of docs/constructs.md. Functions declared pure:
 // PURE: trusted
  */
 #include <assert.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R3xx. Covers: rows 4, 5, 7, 8, 10 of the construct table. */
+/* Reasons R3xx. Covers rows 4, 5, 7, 8 and 10 of docs/constructs.md. */
 #include <limits.h>
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R505: code that the compiler does not accept is not analysed; the next function is. */
+/* Reason R505: a function that does not compile is not analysed, but the next function is. */
 void errors(int n, const int *s, double *h) {
     undeclared_type x;
     for (int i = 0; i < n; i++) // EXPECT: refuse errors

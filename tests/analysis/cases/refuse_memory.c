@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R2xx. Covers: rows 12, 13, 29, 30, 44, 46, 59, 60 of the construct table. */
+/* Reasons R2xx. Covers rows 12, 13, 29, 30, 44, 46, 59 and 60 of docs/constructs.md. */
 #include <string.h>
 
 struct list {
@@ -43,7 +43,7 @@ void optional(int n, const int *s, struct output *o) {
             o->b[s[i]] += 1.0;
 }
 
-/* what was valid before may have been freed since */
+/* the pointer was valid before the loop, but its target may have been freed */
 void not_optional(int n, const int *s, struct output *o) {
     o->b[0] = 0;
     for (int i = 0; i < n; i++) // EXPECT: refuse base-conditional

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R5xx. Covers: rows 1 to 3, 55, 56, 61, 62, 68 of the construct table. */
+/* Reasons R5xx. Covers rows 1 to 3, 55, 56, 61, 62 and 68 of docs/constructs.md. */
 #define LOOP(i, n) for (int i = 0; i < n; i++)
 #define ADD(h, k, v) (h)[k] += (v)
 

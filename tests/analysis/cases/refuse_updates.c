@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R1xx. Covers: rows 24, 25, 28, 31, 32, 34 to 37, 39, 43, 44, 48, 49 of the construct table. */
+/* Reasons R1xx. Covers rows 24, 25, 28, 31, 32, 34 to 37, 39, 43, 44, 48 and 49 of docs/constructs.md. */
 #include <math.h>
 #include <stdbool.h>
 

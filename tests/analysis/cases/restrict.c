@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Where a restrict pointer's value goes, and objects that nothing may write: with no guard or with
- * one. Covers: rows 17, 29, 54 of the construct table. */
+/* Uses of a restrict pointer's value, and constant objects: loops with a guard or without one.
+ * Covers rows 17, 29 and 54 of docs/constructs.md. */
 #include <string.h>
 
 double *kept;
@@ -52,7 +52,7 @@ void used_before(int n, const int *s, const double *restrict x, double *h) {
         h[s[i]] += start * x[i];
 }
 
-/* The callee's other pointer is not the restrict one. */
+/* The second parameter `q` does not get the restrict pointer. */
 static double both(const double *p, const double *q, int i) {
     return p[i] + q[i];
 }
@@ -67,7 +67,7 @@ void not_restrict(int n, const int *s, const double *x, double *h) {
         h[s[i]] += element(x, i);
 }
 
-/* ---- kept by a callee: another pointer may lead there with the program's right ---------------- */
+/* ---- a callee stores the pointer: another pointer may then legally lead to the array ---------- */
 
 static void keep(double *p) {
     kept = p;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Scenes with `contact: barrier`, and whether anything passes in them. */
+/** Scenes with `contact: barrier`, and a check that nothing passes through anything. */
 #ifndef FABRIC_TEST_BARRIER_SCENE_H
 #define FABRIC_TEST_BARRIER_SCENE_H
 
@@ -8,26 +8,27 @@
 /** A floor at z = 0. */
 extern const collider barrier_ground;
 
-/** An upright pole, thinner than an edge of the sheets. */
+/** Returns an upright pole that is thinner than the sheets' edges are long. */
 collider barrier_pole(double radius);
 
-/** Steps of 20 ms, a gap of 4 mm everywhere. */
+/** Returns a scene with steps of 20 ms and a gap of 4 mm everywhere. */
 scene barrier_scene(int colliders, collider *list);
 
-/** Copies of one sheet, each moved by `aside` along x and `apart` along z against the one before.
- */
+/** Returns copies of one sheet, each moved by `aside` along x and `apart` along z relative to the
+ * previous copy. */
 mesh barrier_layers(int count, int columns, double spacing, double low, double apart, double aside);
 
-/** What passes now: cloth through cloth, through each body, and vertices below planes. */
+/** Returns the number of current intersections: of cloth with cloth and with each body, and
+ * vertices below planes. */
 int barrier_passing(const stage *on);
 
-/** Runs to the end: nothing passes in any frame, no step is rejected, nothing is let pass. Returns
- * CPU seconds of the steps. */
+/** Runs to the end. Checks that nothing passes in any frame, that no step is rejected, and that the
+ * monitor permits no passage. Returns the CPU seconds of the steps. */
 double barrier_run_stage(const char *name, stage *on, int steps);
-/** The same of a scene of its own; the mesh goes with it. */
+/** Like barrier_run_stage, with a stage of this scene and mesh; frees the mesh. */
 void barrier_run(const char *name, mesh m, scene s, int steps);
 
-/** The start is refused, with this in the message. */
+/** Checks that the start is refused with a message that contains `expected`. */
 void barrier_refused(const char *name, mesh m, scene s, const char *expected);
 
 #endif

@@ -12,7 +12,8 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
-/* Rounding gives volumes of either sign where all lies in one plane, however far apart. */
+/* Needed since, if all points are in one plane, rounding gives volumes of either sign, even for
+ * distant features. */
 static int boxes_meet(const double p[3], const double q[3], const double a[3], const double b[3],
                       const double c[3]) {
     for (int k = 0; k < 3; k++)
@@ -30,7 +31,7 @@ int segment_crosses(const double p[3], const double q[3], const double a[3], con
     return (volume(p, q, b, c) < 0) == s && (volume(p, q, c, a) < 0) == s;
 }
 
-/* Most of all pairs of triangles are far apart, seen along one axis. */
+/* Are the triangles apart along one axis? Most pairs are. */
 static int triangles_far(const int a[3], const double (*x)[3], const double of[3], const int b[3],
                          const double (*y)[3], const double at[3]) {
     for (int k = 0; k < 3; k++) {

@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Does cloth go through itself? Seen by comparing everything with everything. */
+/** Does cloth intersect itself? Decided by comparing all features with all. */
 #ifndef FABRIC_TEST_CROSSINGS_H
 #define FABRIC_TEST_CROSSINGS_H
 
 #include "stage.h"
 
-/** Does the segment p q meet the triangle a b c? By signs of volumes, not as the simulator does it.
- */
+/** Does the segment p q meet the triangle a b c? Decided by signs of volumes, unlike in the
+ * simulator. */
 int segment_crosses(const double p[3], const double q[3], const double a[3], const double b[3],
                     const double c[3]);
 
-/** Edges of the cloth that cross one of its triangles: none may, ever. */
+/** Returns the number of the cloth's edges that cross one of its triangles, which must always be
+ * 0. */
 int crossings(const stage *on);
 
-/** Edges of the cloth that cross a body's triangle, and the body's that cross one of the cloth's.
- *  The body is its mesh, moved by `at` (m). */
+/** Returns the number of the cloth's edges that cross a triangle of the body, and of the body's
+ * edges that cross a triangle of the cloth. The body is the mesh, moved by `at` (m). */
 int crossings_with(const stage *on, const mesh *body, const double at[3]);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A sheet without some effects: what it costs is counted in a build that has them and in one that
- * does not. Argument: which sheet. */
+/* A sheet without some effects: its cost is counted in a build with these effects and in one
+ * without them. Argument: the sheet's name. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +9,8 @@
 
 static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
 
-/* Stretch, shear and pins, or what `name` makes of it. 0, or -1: there is no such sheet. */
+/* Selects stretch, shear and pins, or the effects of sheet `name`. Returns 0, or -1 if there is no
+ * such sheet. */
 static int choose(scene *s, const char *name) {
     s->material.bend = s->material.bend_damping = 0;
     s->pins = &hold;
@@ -24,7 +25,7 @@ static int choose(scene *s, const char *name) {
         s->monitor.off = 1;
     else if (strcmp(name, "weightless") == 0)
         s->surroundings.gravity[0] = s->surroundings.gravity[1] = s->surroundings.gravity[2] = 0;
-    else if (strcmp(name, "free") == 0) /* nothing but gravity and its own forces */
+    else if (strcmp(name, "free") == 0) /* only gravity and inner forces */
         s->pin_count = 0;
     else
         return -1;

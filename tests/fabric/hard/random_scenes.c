@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Random hard scenes: random_scenes COUNT [SEED [driven|barrier]]. Sizes, stiffness, densities and
- * steps over many decades, broken meshes, for three steps; `driven`: cloth as it is worn among
- * bodies that move through it, for 40 steps; `barrier`: the same with contact by a barrier, where
- * nothing may cross. Each scene runs in a process of its own: it must end finite and within its
- * energy, or be refused with a message. Exit 1 if one crashes, hangs, or does neither. Of a driven
- * scene a line says what it took: steps, those taken again, and what the monitor let pass in steps
- * that cannot be halved.
+ * Random hard scenes. Usage: random_scenes COUNT [SEED [driven|barrier]]. The scenes have sizes,
+ * stiffness, densities and steps over many decades and broken meshes, and run for three steps. With
+ * `driven`, worn cloth runs for 40 steps among bodies that move through it. With `barrier`, contact
+ * is by a barrier as well, and nothing may cross. Each scene runs in a child process: it must end
+ * with finite values and within its energy, or be refused with a message. Exit status 1: a scene
+ * crashes, hangs, or does neither. For each driven scene a line gives the numbers of steps, of
+ * steps repeated, and of passages that the monitor permitted in steps that cannot be halved.
  */
 #include <math.h>
 #include <signal.h>
@@ -26,7 +26,7 @@
 #include "step/simulation.h"
 #include "step/simulation_state.h"
 
-enum { PATIENCE = 900 /* s of CPU time: what takes longer will not end */ };
+enum { PATIENCE = 900 /* s of CPU time, after which a scene counts as hung */ };
 enum {
     FINISHED,
     REFUSED,
@@ -57,7 +57,7 @@ static int one_in(unsigned *seed, int n) {
     return (int)between(seed, 0, n) == 0;
 }
 
-/* 10 to a power from low to high; now and then 0. */
+/* Returns 10 to a random power from low to high, or sometimes 0. */
 static double decades(unsigned *seed, double low, double high) {
     const double exponent = between(seed, low, high);
     return one_in(seed, 6) ? 0 : pow(10, exponent);
@@ -67,18 +67,18 @@ static int any(unsigned *seed, int count) {
     return (int)between(seed, 0, count) % count;
 }
 
-/* One of the things that go wrong with meshes. */
+/* Introduces one of the usual errors of meshes. */
 static void break_mesh(mesh *m, double size, unsigned *seed) {
     const int v = any(seed, m->vertex_count), t = any(seed, m->triangle_count);
     const int *corner = m->triangle[t], other = any(seed, m->triangle_count);
     switch (any(seed, 12)) {
-    case 0: /* a sliver, or no area at all */
+    case 0: /* a sliver or a triangle without area */
         for (int a = 0; a < 2; a++)
             m->material[corner[0]][a] = m->position[corner[0]][a] =
                 (m->material[corner[1]][a] + m->material[corner[2]][a]) / 2 +
                 (one_in(seed, 2) ? 0 : 1e-7 * size);
         break;
-    case 1: /* turned inside out */
+    case 1: /* a triangle turned inside out */
         for (int a = 0; a < 3; a++)
             m->position[corner[0]][a] =
                 m->position[corner[1]][a] + m->position[corner[2]][a] - m->position[corner[0]][a];
@@ -98,19 +98,20 @@ static void break_mesh(mesh *m, double size, unsigned *seed) {
     case 6:
         m->triangle[t][2] = one_in(seed, 2) ? -1 : m->vertex_count;
         break;
-    case 7: /* two vertices in one place */
+    case 7: /* two vertices in one position */
         memcpy(m->position[v], m->position[corner[0]], sizeof *m->position);
         break;
     case 8: /* no material coordinates */
         memset(m->material, 0, sizeof *m->material * (size_t)m->vertex_count);
         break;
-    case 9: /* all in one place */
+    case 9: /* all vertices in one position */
         memset(m->position, 0, sizeof *m->position * (size_t)m->vertex_count);
         break;
-    case 10: /* far away */
+    case 10: /* a vertex far away */
         m->position[v][2] = 1e30;
         break;
-    default: /* a triangle's vertex taken from it: perhaps a lone one */
+    default: /* a triangle gets another triangle's vertex, which may leave a vertex without
+                triangles */
         m->triangle[t][0] = m->triangle[other][1];
     }
 }
@@ -171,18 +172,19 @@ static double height_of(const simulation *sim) {
     return sum;
 }
 
-/* In a scene that nothing but gravity drives: energy there at first, and twice what falling gave.
- * What rises may have put it in and taken it out between two frames; hence the largest fall. */
+/* Does the cloth have too much energy, in a scene that only gravity drives? Kinetic and elastic
+ * energy may be up to 3 times the sum of the initial energy and the energy of the fall from the
+ * highest position so far. */
 static int has_too_much(const simulation *sim, double first, double highest, double now) {
     const double given = highest - height_of(sim);
     const double allowed = first + (given > 0 ? given : 0);
     return now > 3 * allowed + 1e-9 * sim->cloth.total_mass;
 }
 
-/* Of cloth as it is worn among moving bodies, which put in what the monitor believes that they do.
- * No state is to have more than twice the energy that there was and was put in; nor a step that is
- * refused a thousand times that and what the cloth has at twice the speed of the fastest body: it
- * was to end before it came to that. */
+/* Does worn cloth among moving bodies have too much energy? A state may have up to twice the
+ * monitor's reference: the initial energy plus the work done on the cloth. A refused step should
+ * end early, with at most 1000 times the sum of the reference and m v^2, where m is the cloth's
+ * mass and v is twice the fastest body's speed. */
 static int has_run_away(const simulation *sim, int is_refused) {
     const monitor *m = &sim->monitor;
     const double most_speed = 20; /* m/s */
@@ -190,7 +192,8 @@ static int has_run_away(const simulation *sim, int is_refused) {
     return m->energy > 2 * m->reference + m->noise || (is_refused && m->next_energy > 1e3 * scale);
 }
 
-/* What simulation_save gives, but for the seconds; to be freed. NULL: out of memory. */
+/* Returns the bytes of simulation_save without seconds, which the caller frees, or NULL if memory
+ * is lacking. */
 static unsigned char *saved(simulation *sim, size_t *size) {
     *size = simulation_saved_size(sim);
     unsigned char *bytes = malloc(*size);
@@ -203,7 +206,8 @@ static unsigned char *saved(simulation *sim, size_t *size) {
     return bytes;
 }
 
-/* Two more steps from what was saved; what is saved then. NULL: a step failed, out of memory. */
+/* Restores a simulation, makes two more steps and returns the bytes then saved, or NULL if a step
+ * fails or memory is lacking. */
 static unsigned char *saved_later(const mesh *m, const scene *s, unsigned char *from, size_t size,
                                   size_t *later) {
     char error[256];
@@ -218,8 +222,8 @@ static unsigned char *saved_later(const mesh *m, const scene *s, unsigned char *
     return bytes;
 }
 
-/* What is saved after one step, restored into another simulation, leads to what three steps in a
- * row lead to. */
+/* Does a simulation that was saved after one step and restored reach the same state as one that
+ * made three steps? */
 static int goes_on(const mesh *m, const scene *s) {
     char error[256];
     size_t size = 0, whole_size = 0, later_size = 0;
@@ -241,7 +245,7 @@ static int goes_on(const mesh *m, const scene *s) {
     return same;
 }
 
-/* Steps and what was wrong with them, into error[256]. */
+/* Writes the counts of steps and of verdicts on them to error[256]. */
 static void tell_account(const simulation *sim, char *error) {
     int length = snprintf(error, 256, "%ld steps, %ld taken again", simulation_counts(sim).taken,
                           simulation_counts(sim).rejected);
@@ -251,7 +255,8 @@ static void tell_account(const simulation *sim, char *error) {
                                sim->monitor.let_pass[k], monitor_verdict_name((monitor_verdict)k));
 }
 
-/* Edges of cloth and bodies that cross, each compared with all: none may with a barrier. */
+/* Returns the number of crossing edges of cloth and bodies, comparing all with all. With a barrier
+ * it must be 0. */
 static int crossed_now(const mesh *m, const scene *s, simulation *sim) {
     const stage on = {*m, *s, sim};
     int count = s->self_collision.gap > 0 ? crossings(&on) : 0;
@@ -278,7 +283,7 @@ static int run(const mesh *m, const scene *s, int steps, int is_worn, char *erro
     for (int n = 0; n < s->collider_count; n++)
         driven |= vector_length(s->colliders[n].velocity) > 0;
     for (int n = 0; n < s->collider_count; n++)
-        for (int i = 0; i < m->vertex_count; i++) { /* a collider pushes out what starts in it */
+        for (int i = 0; i < m->vertex_count; i++) { /* colliders push out vertices inside them */
             double p[3], normal[3];
             vector_subtract(m->position[i], s->colliders[n].position, p);
             driven |= shape_distance(&s->colliders[n], p, normal) < s->colliders[n].gap;
@@ -315,10 +320,10 @@ static int run(const mesh *m, const scene *s, int steps, int is_worn, char *erro
 static int run_scene(unsigned seed, char *error) {
     collider colliders[2];
     mesh_problem found[MESH_PROBLEM_COUNT];
-    const int is_resumed = seed % 2 == 0; /* it takes as long again */
+    const int is_resumed = seed % 2 == 0; /* also run a saved and restored simulation */
     int non_manifold, outcome = REFUSED;
     for (int k = 0; k < 8; k++)
-        random_number(&seed); /* neighbouring seeds begin alike */
+        random_number(&seed); /* neighbouring seeds begin with similar numbers */
     const double size = pow(10, between(&seed, -6, 6));
     const int columns = 2 + any(&seed, 7), rows = 2 + any(&seed, 7);
     pin hold = {.low = {-size, -size}, .high = {size / columns, size * 10}};
@@ -348,7 +353,7 @@ static int run_scene(unsigned seed, char *error) {
     return outcome;
 }
 
-/* A body of 0.02 to 0.3 m that starts above or below the sheet and moves through where it is. */
+/* Returns a body of 0.02 to 0.3 m that starts above or below the sheet and moves through it. */
 static collider driven_body(unsigned *seed) {
     collider c = {.kind = (collider_kind)(1 + any(seed, 3)), .friction = between(seed, 0, 1)};
     const double side = one_in(seed, 2) ? 1 : -1, speed = pow(10, between(seed, -1, 1));
@@ -367,7 +372,7 @@ static collider driven_body(unsigned *seed) {
     return c;
 }
 
-/* Two or three bodies move through a sheet, which is held or falls, from both sides. */
+/* Two or three bodies move through a sheet from both sides. The sheet is held or falls. */
 static int run_driven(unsigned seed, contact_method by, char *error) {
     collider bodies[3];
     pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 10}};
@@ -396,7 +401,7 @@ static int run_driven(unsigned seed, contact_method by, char *error) {
     return outcome;
 }
 
-/* In a process of its own; the message comes back through a pipe. */
+/* Runs the scene in a child process, whose message comes through a pipe. */
 static int run_child(unsigned seed, int is_driven, contact_method by, char *error) {
     int ends[2], status;
     error[0] = '\0';

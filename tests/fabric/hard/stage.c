@@ -41,14 +41,15 @@ void stage_begin(stage *on) {
         fail_msg("%s", error);
 }
 
-/* FNV-1a (Fowler, Noll and Vo) of bytes, going on from `hash`. */
+/* FNV-1a (Fowler, Noll and Vo) of bytes, starting from `hash`. */
 static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size) {
     for (size_t k = 0; k < size; k++)
         hash = (hash ^ ((const unsigned char *)bytes)[k]) * UINT64_C(0x100000001b3);
     return hash;
 }
 
-/* A line with the end of the run and a hash of positions and velocities, in $FABRIC_STAGE_BITS. */
+/* Appends a line with the run's end and a hash of positions and velocities to the file
+ * $FABRIC_STAGE_BITS. */
 static void tell_bits(const simulation *sim, int vertices) {
     const char *path = getenv("FABRIC_STAGE_BITS");
     FILE *file = path && sim ? fopen(path, "a") : NULL;

@@ -14,36 +14,40 @@ typedef struct stage {
     simulation *sim;
 } stage;
 
-/** The stage owns the mesh. Not begun yet: scene and mesh may be changed. */
+/** Returns a stage that owns the mesh. Until stage_begin, scene and mesh may be changed. */
 stage stage_of(mesh m, scene s);
 
-/** A small sheet at z = 0, with one collider. */
+/** Returns a stage with a small sheet at z = 0 and one collider. */
 stage stage_with(collider *k);
 
-/** Slivers on which the conjugate gradients give up: the systems are solved directly. */
+/** Returns a stage of slivers, on which the conjugate gradients fail, so the systems are solved
+ * directly. */
 stage stage_of_slivers(void);
 
-/** Makes the simulation; the stage must stay where it is from now on. */
+/** Makes the simulation. From now on the stage must not be moved in memory. */
 void stage_begin(stage *on);
-/** Frees cloth and simulation. Where the environment has FABRIC_STAGE_BITS, a line in that file
- * tells the bits in which the run ended: hard/bits.sh compares them. */
+/** Frees cloth and simulation. If FABRIC_STAGE_BITS is set, appends a line with a hash of the final
+ * state to that file, which hard/bits.sh compares. */
 void stage_end(stage *on);
-/** Whether bits are compared: all else is checked by the runs where they are not. */
+/** True if a test shall only produce hashes of states (hard/bits.sh) and omit its other checks,
+ * which another run makes. */
 int stage_compares_bits(void);
 
-/** After a test changed the state: what the monitor compares with. */
+/** Must be called after a test has changed the state: resets the values that the monitor compares
+ * with. */
 void stage_changed(stage *on);
 
-/** Steps of the scene; fails the test if one fails. */
+/** Makes steps of the scene. The test fails if a step fails. */
 void stage_run(stage *on, int steps);
 
-/** Kinetic and elastic energy, J. */
+/** Returns the kinetic and elastic energy, J. */
 double stage_energy(const stage *on);
 
-/** Area of the triangles as they are, m^2. */
+/** Returns the current area of the triangles, m^2. */
 double stage_area(const stage *on);
 
-/** The largest distance of two positions, m: of vertex i here and vertex of[i] (NULL: i) there. */
+/** Returns the largest distance, m, between vertex i here and vertex of[i] there; `of` may be NULL
+ * for i itself. */
 double stage_distance(const stage *on, const stage *other, const int *of);
 
 void stage_assert_finite(const stage *on);

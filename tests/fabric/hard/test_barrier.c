@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Scenes with `contact: barrier`: nothing passes in any frame, bodies included, as a comparison of
- * everything with everything sees it; or the start is refused, with features and a remedy.
+ * Scenes with `contact: barrier`: in no frame does anything pass through cloth or bodies, by a
+ * comparison of all features with all. Or the start is refused, with features and a remedy.
  */
 #include "barrier_scene.h"
 
@@ -20,7 +20,7 @@ static void two_layers(void **state) {
                 barrier_scene(1, floor_only), 30);
 }
 
-/* Aligned vertex over vertex, edge over edge: all edges of two layers are parallel. */
+/* Vertices lie exactly above vertices: all edges of two layers are parallel. */
 static void aligned_layers_on_a_ball(void **state) {
     (void)state;
     collider bodies[2] = {barrier_ground,
@@ -33,7 +33,7 @@ static void aligned_layers_on_a_ball(void **state) {
                 barrier_scene(2, bodies), 25);
 }
 
-/* 3 mm apart, and to be kept 4 mm apart: they draw apart. */
+/* The layers are 3 mm apart and must be kept 4 mm apart: they move apart. */
 static void close_layers(void **state) {
     (void)state;
     collider floor_only[1] = {barrier_ground};
@@ -56,7 +56,7 @@ static surface *surface_of(mesh *m) {
     return s;
 }
 
-/* Cones with four sides and no base, tips up: open surfaces. */
+/* Returns cones with four sides and no base, tips upwards: open surfaces. */
 static surface *spikes(int count, double radius, double height) {
     mesh m;
     assert_int_equal(mesh_allocate(&m, 5 * count, 4 * count), 0);
@@ -88,7 +88,7 @@ static void spikes_and_cone(void **state) {
     }
 }
 
-/* A rod of 4 mm at 5 m/s: 10 cm a step, into a hanging sheet. */
+/* A rod of 4 mm at 5 m/s, which moves 10 cm per step, hits a hanging sheet. */
 static void fast_rod(void **state) {
     (void)state;
     collider rod = {.kind = COLLIDER_CYLINDER,
@@ -103,7 +103,7 @@ static void fast_rod(void **state) {
     barrier_run("fast rod", barrier_layers(1, 7, 0.04, 0, 0, 0), s, 12);
 }
 
-/* A sheet with another that stands on its middle row: edges of three triangles. */
+/* Returns a sheet with another one standing on its middle row: edges with three triangles. */
 static mesh t_junction(int columns, double spacing) {
     const int half = columns / 2, vertices = columns * (columns + half);
     double(*material)[2] = calloc((size_t)vertices, sizeof *material);
@@ -148,7 +148,7 @@ static void garment_with_a_t_junction(void **state) {
     barrier_run("T-junction", m, barrier_scene(2, bodies), 30);
 }
 
-/* A tube, the front and back of a shirt 1 cm apart, falls over a pole. */
+/* Returns a flat tube, like the front and back of a shirt 1 cm apart, which falls over a pole. */
 static mesh flat_tube(int around, int rings, double width, double length) {
     double(*material)[2] = calloc((size_t)(around * rings), sizeof *material);
     int(*triangle)[3] = calloc((size_t)(around * rings * 2), sizeof *triangle);
@@ -208,14 +208,14 @@ static void bad_starts_are_named(void **state) {
                     "no until");
 }
 
-/* The first layer lies on the second, but for a corner. */
+/* The first layer lies slightly below the second one except at one corner. */
 static mesh layers_but_for_a_corner(void) {
     mesh m = barrier_layers(2, 5, 0.04, 0.02, -0.002, 0.001);
     m.position[0][2] -= 0.005;
     return m;
 }
 
-/* A shirt whose front lies up to 1 cm behind its back, aligned with it or not. */
+/* Returns a shirt whose front lies up to 1 cm behind its back, aligned with it or not. */
 static mesh crossed_shirt(double aside) {
     mesh m = flat_tube(14, 7, 0.24, 0.24);
     for (int i = 0; i < m.vertex_count; i++) {
@@ -227,7 +227,7 @@ static mesh crossed_shirt(double aside) {
     return m;
 }
 
-/* Of vertices, m. */
+/* Returns the mean height of vertices, m. */
 static double mean_height(const stage *on, int from, int count) {
     double sum = 0;
     for (int i = from; i < from + count; i++)
@@ -235,7 +235,8 @@ static double mean_height(const stage *on, int from, int count) {
     return sum;
 }
 
-/* With contact.untangle the same starts run; layers keep the order that most of them has. */
+/* With contact.untangle the same starts run. Layers take the order that most of their vertices
+ * have. */
 static void overlapping_starts_are_untangled(void **state) {
     (void)state;
     collider floor_only[1] = {barrier_ground}, bodies[2] = {barrier_ground,
@@ -279,7 +280,8 @@ static void overlapping_starts_are_untangled(void **state) {
     }
 }
 
-/* A plate comes down onto a sheet on a floor and goes on: there is no room, and that is said. */
+/* A plate comes down onto a sheet on a floor and does not stop. There is no room left, which must
+ * be reported. */
 static void squeezed(void **state) {
     (void)state;
     collider bodies[2] = {barrier_ground,
@@ -302,8 +304,8 @@ static void squeezed(void **state) {
     stage_end(&on);
 }
 
-/* What is looked at and what touches grows with the layers, not with their square, and so do the
- * systems' blocks: layers 3 mm apart whose gap is 4 mm. */
+/* Pairs examined, contacts and the systems' blocks grow linearly with the number of layers. The
+ * layers are 3 mm apart, with a gap of 4 mm. */
 static void work_is_linear_in_contacts(void **state) {
     (void)state;
     enum { looked_at, near, touching, blocks, counts };
@@ -330,8 +332,8 @@ static void work_is_linear_in_contacts(void **state) {
     assert_below(count[2][looked_at], 8 * count[2][touching]);
 }
 
-/* A sheet falls on a ball and wraps itself round it: though parts of the Hessian are left out, that
- * takes no more systems. */
+/* A sheet falls onto a ball and wraps around it. Parts of the Hessian are left out, but this must
+ * not take more systems. */
 static void directions_are_conjugate(void **state) {
     (void)state;
     collider bodies[1] = {{.kind = COLLIDER_SPHERE,
@@ -348,7 +350,7 @@ static void directions_are_conjugate(void **state) {
     const long systems = simulation_counts(on.sim).newton_iterations;
     printf("round a ball       %ld systems\n", systems);
     assert_int_equal(simulation_counts(on.sim).rejected, 0);
-    assert_in_range(systems, 40, 117); /* 130 by Newton's directions, 166 by his ways */
+    assert_in_range(systems, 40, 117); /* 130 with Newton's directions, 166 with his steps */
     stage_end(&on);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a step with `contact: barrier` computes: friction, bodies and pins that move, energy, and
- * that it may be stopped, saved and gone on with. */
+/* Quantities that a step with `contact: barrier` computes: friction, moving bodies and pins, and
+ * energy. Also: a step may be stopped, saved and resumed. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -26,14 +26,15 @@ static stage sheet_over(collider *list, int colliders, int columns, double heigh
     return on;
 }
 
-/* The mean velocity, m/s. */
+/* Computes the mean velocity, m/s. */
 static void mean_velocity(const stage *on, double mean[3]) {
     mean[0] = mean[1] = mean[2] = 0;
     for (int i = 0; i < on->m.vertex_count; i++)
         vector_add_scaled(mean, 1.0 / on->m.vertex_count, simulation_velocities(on->sim)[i], mean);
 }
 
-/* On a slope: it stays where friction is above the slope, else it slides as Coulomb's law says. */
+/* On a slope a sheet stays at rest if the friction coefficient exceeds the slope. Otherwise it
+ * slides by Coulomb's law. */
 static void sheets_slide_and_stick(void **state) {
     const double slope = 0.3, g = 9.81;
     (void)state;
@@ -50,7 +51,7 @@ static void sheets_slide_and_stick(void **state) {
         stage_run(&on, 15);
         mean_velocity(&on, after);
         if (sticks)
-            assert_below(fabs(after[0]), 1e-3); /* the speed below which friction grows from 0 */
+            assert_below(fabs(after[0]), 1e-3); /* friction grows from 0 up to this speed */
         else
             assert_near((after[0] - before[0]) / 0.15, g * (sin(slope) - 0.1 * cos(slope)), 0.1);
         assert_int_equal(simulation_counts(on.sim).rejected, 0);
@@ -58,7 +59,7 @@ static void sheets_slide_and_stick(void **state) {
     }
 }
 
-/* A floor that moves carries the sheet on it, and lifts it: its work is in the account. */
+/* A moving floor carries and lifts the sheet; its work is in the energy account. */
 static void a_moving_floor_carries(void **state) {
     (void)state;
     collider plane = ground;
@@ -75,8 +76,8 @@ static void a_moving_floor_carries(void **state) {
     stage_end(&on);
 }
 
-/* A bar turns by keyframes through a sheet whose pins move: nothing passes, the pins are where they
- * should be, and so is the bar. */
+/* A bar turns by keyframes through a sheet whose pins move. Nothing passes, and pins and bar are at
+ * their prescribed positions. */
 static void bars_turn_and_pins_move(void **state) {
     keyframe turn[2] = {{0, {0, 0, 0}, 0}, {0.2, {0, 0, 0.02}, 200}};
     collider bar = {.kind = COLLIDER_BOX,
@@ -121,7 +122,7 @@ static void bars_turn_and_pins_move(void **state) {
     stage_end(&on);
 }
 
-/* However short the step, the cloth falls as far as it should. */
+/* The cloth falls as far as it should, however short the step is. */
 static void short_steps_fall(void **state) {
     (void)state;
     stage on = sheet_over(NULL, 0, 3, 1);
@@ -134,7 +135,7 @@ static void short_steps_fall(void **state) {
     stage_end(&on);
 }
 
-/* Cloth that is finer than the gap does not push itself apart; two sheets do. */
+/* Cloth whose edges are shorter than the gap does not push itself apart, but two sheets do. */
 static void fine_cloth_stays(void **state) {
     (void)state;
     stage on = sheet_over(NULL, 0, 5, 0);
@@ -147,7 +148,8 @@ static void fine_cloth_stays(void **state) {
     stage_end(&on);
 }
 
-/* A step that is stopped leaves nothing behind; and what is saved goes on with the same bits. */
+/* A step that is stopped has no effect, and a simulation that was saved continues with the same
+ * bits. */
 static void steps_may_be_stopped_and_saved(void **state) {
     volatile sig_atomic_t stop = 0;
     char error[256] = "";
@@ -177,14 +179,14 @@ static void steps_may_be_stopped_and_saved(void **state) {
                         (size_t)whole.m.vertex_count * sizeof(double[3]));
     assert_memory_equal(simulation_velocities(part.sim), simulation_velocities(whole.sim),
                         (size_t)whole.m.vertex_count * sizeof(double[3]));
-    /* The order of pairs comes from searches of this step alone. */
+    /* The order of pairs depends only on searches of this step. */
     assert_memory_equal(part.sim->barrier->contact.searched, whole.sim->barrier->contact.searched,
                         (size_t)whole.m.vertex_count * sizeof(double[3]));
     stage_end(&whole);
     stage_end(&part);
 }
 
-/* Settings that the barrier's method has no use for are refused. */
+/* Settings that do not apply to the barrier are refused. */
 static void settings_are_refused(void **state) {
     (void)state;
     for (int k = 0; k < 4; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* More scenes with `contact: barrier`: layers, a seam, piles; and the account of energy. */
+/* More scenes with `contact: barrier`: layers, a seam and piles. Also the energy account. */
 #include "barrier_scene.h"
 
 #include <stdio.h>
@@ -14,13 +14,13 @@ static void three_layers_on_a_pole(void **state) {
                 barrier_scene(2, bodies), 25);
 }
 
-/* Two sheets side by side whose borders coincide. */
+/* Returns two adjacent sheets whose borders coincide. */
 static mesh two_halves(double apart) {
     return barrier_layers(2, 5, 0.04, 0.05, 0, 0.16 + apart);
 }
 
-/* A seam that is not joined: the start touches, and is refused, with features and remedy; a
- * little apart or untangled it runs. */
+/* Two sheets along a seam that is not joined. If they touch at the start, the scene is refused with
+ * a message that suggests contact.untangle. With that option, or slightly apart, the sheets run. */
 static void seam(void **state) {
     (void)state;
     collider bodies[1] = {barrier_ground};
@@ -32,7 +32,7 @@ static void seam(void **state) {
     barrier_run("seam, untangled", two_halves(0), untangled, 15);
 }
 
-/* Sheets above each other, each turned and tilted by its number. */
+/* Returns sheets above each other, each turned and tilted by its number. */
 static mesh thrown(int count, int columns) {
     mesh m = barrier_layers(count, columns, 0.04, 0, 0, 0);
     const int vertices = m.vertex_count / count;
@@ -70,7 +70,7 @@ static void pile_for_long(void **state) {
     pile_of("pile of eight", 8, 7, 60);
 }
 
-/* Kinetic, elastic and potential energy and that of contact, J, by sums of their own. */
+/* Returns the kinetic, elastic, potential and contact energy, J, by independent sums. */
 static double whole_energy(const stage *on) {
     const simulation *sim = on->sim;
     double sum = stage_energy(on) + barrier_energy(&sim->barrier->contact,
@@ -81,15 +81,15 @@ static double whole_energy(const stage *on) {
     return sum;
 }
 
-/* Two sheets fall on a ball and on the floor. What the monitor says that a step gained beyond the
- * work done is what the whole gained, which is never more than 0. */
+/* Two sheets fall onto a ball and the floor. In each step, the monitor's energy minus the work must
+ * change by as much as the independent sum of the total energy, and must not increase. */
 static void the_account_is_closed(void **state) {
     (void)state;
     collider bodies[2] = {
         barrier_ground,
         {.kind = COLLIDER_SPHERE, .position = {0.06, 0.05, 0.01}, .size = {0.02}, .gap = 0.004}};
     scene s = barrier_scene(2, bodies);
-    s.surroundings.drag = 0; /* its work is none of the whole's */
+    s.surroundings.drag = 0; /* its work is not in the total energy */
     stage on = stage_of(barrier_layers(2, 5, 0.04, 0.045, 0.006, 0.007), s);
     stage_begin(&on);
     double before = whole_energy(&on), lost = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Bodies that start, stop and turn by keyframes. The names are those of docs/fabric-hard-cases.md.
- */
+/* Bodies that start, stop and turn by keyframes. Numbers such as S42 refer to
+ * docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -22,7 +22,8 @@ static void assert_at(const collider *k, double time, double x, double y, double
         assert_near(back[a], p[a], 1e-12);
 }
 
-/* A point one metre along a body's first axis: at keyframes, between, before and after them. */
+/* A point one metre along a body's first axis: at keyframes, between them, before and after
+ * them. */
 static void S42_keyframes(void **state) {
     (void)state;
     keyframe path[3] = {{1, {0, 0, 0}, 0}, {2, {0, 0, 4}, 90}, {4, {0, 2, 4}, 90}};
@@ -42,8 +43,8 @@ static void S42_keyframes(void **state) {
     assert_near(motion_end(&k), 4, 0);
 }
 
-/* In a step of a turning body: a vertex that its matter carries along does not move in its axes,
- * and the matter's velocity and the normal in space are those of the turn. */
+/* A step of a turning body: a vertex that the body carries along does not move in the body's axes.
+ * The body's velocity and its normal in space are those of the rotation. */
 static void S42_step_of_a_turning_body(void **state) {
     (void)state;
     keyframe path[2] = {{0, {0, 0, 0}, 0}, {1, {0.5, 0, 0}, 120}};
@@ -90,9 +91,9 @@ static stage sheet_over(collider *body) {
     return on;
 }
 
-/* A ball that keyframes move evenly is the ball of that velocity; where there is no friction one
- * that turns is the one that does not, to what a step's turn of 3.6 degrees leaves out; and a box
- * turned by a right angle is the box of other sides. */
+/* A ball that keyframes move evenly equals a ball with this velocity. Without friction a turning
+ * ball equals one that does not turn, up to the error of a step's turn of 3.6 degrees. A box turned
+ * by a right angle equals a box with exchanged sides. */
 static void S42_same_body_otherwise(void **state) {
     (void)state;
     static pin hold[2] = {{.low = {-0.01, -1}, .high = {0.01, 1}},
@@ -123,7 +124,7 @@ static void S42_same_body_otherwise(void **state) {
     for (int k = 0; k < 3; k++) {
         stage plain = sheet_over(&body[k][0]), keyed = sheet_over(&body[k][1]);
         long contacts;
-        plain.s.pins = keyed.s.pins = hold; /* so that small differences stay small */
+        plain.s.pins = keyed.s.pins = hold; /* so that small differences remain small */
         plain.s.pin_count = keyed.s.pin_count = 2;
         stage_begin(&plain);
         stage_begin(&keyed);
@@ -139,7 +140,8 @@ static void S42_same_body_otherwise(void **state) {
     }
 }
 
-/* The mean angle by which the cloth has turned about the z axis through its middle, degrees. */
+/* Returns the mean angle by which the cloth has turned about the z axis through its middle,
+ * degrees. */
 static double turned_by(const stage *on, const double (*before)[3], double middle) {
     double sine = 0, cosine = 0;
     for (int i = 0; i < on->m.vertex_count; i++) {
@@ -158,7 +160,7 @@ static double fastest(const stage *on) {
     return speed;
 }
 
-/* A cloth lies on a round table, which turns by a right angle and stops. */
+/* A cloth lies on a round table that turns by a right angle and stops. */
 static void S42_turning_table(void **state) {
     (void)state;
     keyframe path[2] = {{0.5, {0, 0, 0}, 0}, {1.5, {0, 0, 0}, 90}};
@@ -198,8 +200,8 @@ static void S42_turning_table(void **state) {
     stage_end(&on);
 }
 
-/* A thin bar turns through a hanging cloth with room for it between its vertices, a turn a second:
- * the cloth is swept along. */
+/* A thin bar makes one turn per second through a hanging cloth, whose vertices are farther apart
+ * than the bar is wide. The bar must sweep the cloth along. */
 static void S42_turning_bar(void **state) {
     (void)state;
     static pin hold = {.low = {-0.01, -1}, .high = {0.01, 10}};
@@ -246,7 +248,7 @@ static void S42_turning_bar(void **state) {
     stage_end(&on);
 }
 
-/* A cloth on a table does not sleep before the table's last keyframe, and then does. */
+/* A cloth on a table does not sleep before the table's last keyframe, but sleeps afterwards. */
 static void S42_sleeps_until_it_starts(void **state) {
     (void)state;
     keyframe path[2] = {{2, {0, 0, 0}, 0}, {2.2, {0, 0, 0.1}, 0}};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of contact: rest, thin and fast colliders. The names are those of
+/* Hard cases of contact: rest, and thin or fast colliders. Numbers such as S27 refer to
  * docs/fabric-hard-cases.md. */
 #include "stage.h"
 
@@ -8,7 +8,7 @@
 
 #include "base/vector.h"
 
-/* Which contacts there are and stick, as one number a vertex. */
+/* Encodes each vertex's contacts, and which of them stick, in one number. */
 static void note_contacts(const stage *on, int *noted) {
     for (int i = 0; i < on->m.vertex_count; i++) {
         const vertex_contacts *of = &on->sim->collisions.before[i];
@@ -18,7 +18,8 @@ static void note_contacts(const stage *on, int *noted) {
     }
 }
 
-/* 10 s on the collider: from 5 s on nothing moves, in the last second no contact comes or goes. */
+/* 10 s on the collider: after 5 s nothing moves, and in the last second no contact begins or
+ * ends. */
 static void rests(collider *on_what, const char *name) {
     stage on = stage_of(cloth_sheet(9, 9, 0.05, 0.3, 1), cloth_scene());
     const int count = on.m.vertex_count, steps = 300;
@@ -104,7 +105,8 @@ static void S28_nothing_falls_through_a_thin_table(void **state) {
     stage_end(&on);
 }
 
-/* A thin rod at 5 m/s, five times its thickness a step, through a cloth held by two edges. */
+/* A thin rod at 5 m/s, five times its thickness per step, moves through a cloth held at two
+ * edges. */
 static void S28_nothing_is_run_through_by_a_fast_rod(void **state) {
     (void)state;
     collider rod = {.kind = COLLIDER_CYLINDER,
@@ -124,7 +126,7 @@ static void S28_nothing_is_run_through_by_a_fast_rod(void **state) {
     on.s.pin_count = 2;
     on.s.colliders = &rod;
     on.s.collider_count = 1;
-    on.s.monitor.energy = 1e300; /* the pins hold on whatever it takes */
+    on.s.monitor.energy = 1e300; /* the pins hold the cloth, whatever energy this takes */
     stage_begin(&on);
     for (int n = 0; n < 9; n++) {
         stage_run(&on, 1);
@@ -138,8 +140,8 @@ static void S28_nothing_is_run_through_by_a_fast_rod(void **state) {
     stage_end(&on);
 }
 
-/* Contact breaks the smoothness that BDF2 lives on: after a step with contact it begins anew, from
- * that step's end, and after one without it looks back. */
+/* BDF2 needs smooth motion, which contact interrupts. After a step with contact it restarts from
+ * that step's end; after a step without contact it uses the previous state. */
 static void test_bdf2_forgets_at_contact(void **state) {
     (void)state;
     collider floor = {.kind = COLLIDER_PLANE,

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Decisions that most scenes never put to the test: when Newton's steps are cut, and how long a
- * contact that pulls lasts. */
+/* Decisions that most scenes do not test: when Newton's steps are shortened, and how long a contact
+ * that pulls is kept. */
 #include "stage.h"
 
-/* A flag in a storm. Where Newton's steps are not cut, three steps have to be halved. */
+/* A flag in a storm. If Newton's steps are not shortened, three time steps must be halved. */
 static void test_newton_in_a_storm(void **state) {
     (void)state;
     static const char *const settings[] = {"mesh.vertices=300", "mesh.boundary=60",
@@ -24,7 +24,7 @@ static void test_newton_in_a_storm(void **state) {
     scene_free(&on.s);
 }
 
-/* A contact that has pulled for one step is looked at again, after two it is let go. */
+/* A contact that has pulled for one step is checked again; after two steps it is released. */
 static void test_a_contact_that_pulls(void **state) {
     (void)state;
     collider floor = {.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .gap = 0.005};

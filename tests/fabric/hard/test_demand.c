@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a scene does not call for takes neither bytes nor time: storage, far colliders, sleep, the
- * monitor. */
+/* Effects that a scene does not use take neither memory nor time: storage, distant colliders, sleep
+ * and the monitor. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@ static collider ball = {
 
 enum { ALONG = 30 };
 
-/* All effects, on 900 vertices; what a test does not want it takes away. */
+/* Returns 900 vertices with all effects, of which tests remove some. */
 static stage full_sheet(void) {
     stage on = stage_of(cloth_sheet(ALONG, ALONG, 0.03, 0.3, 1), cloth_scene());
     on.s.time.step = 0.01;
@@ -32,7 +32,8 @@ static stage full_sheet(void) {
     return on;
 }
 
-/* Blocks between the domains of even numbers and those of odd ones, which Gauss-Seidel lists. */
+/* Returns the number of blocks between domains with even and with odd numbers, which Gauss-Seidel
+ * lists. */
 static double blocks_across(const block_matrix *A) {
     enum { DOMAINS = 6, EACH = ALONG * ALONG / DOMAINS };
     double across = 0;
@@ -42,7 +43,8 @@ static double blocks_across(const block_matrix *A) {
     return across;
 }
 
-/* What the simulation holds before its first step, from the sizes of what it needs. */
+/* Returns the memory that the simulation needs before its first step, from the sizes of its arrays.
+ * The comments name the arrays in the order of the numbers. */
 static double needed_bytes(const stage *on) {
     const simulation *sim = on->sim;
     const double vertices = on->m.vertex_count, triangles = on->m.triangle_count;
@@ -71,7 +73,7 @@ static double needed_bytes(const stage *on) {
     if (s->collider_count > 0)
         bytes += vertices * 2 * 200;
     if (s->self_collision.gap > 0)
-        bytes += triangles * (48 + 4) + vertices * (24 + 4); /* box, owned; v and turn */
+        bytes += triangles * (48 + 4) + vertices * (24 + 4); /* box, owned; v, turn */
     return bytes;
 }
 
@@ -82,7 +84,7 @@ static void assert_takes_what_it_needs(void (*change)(scene *), const char *what
     stage_begin(&on);
     const double taken = memory_allocated() - before, needed = needed_bytes(&on);
     print_message("%-14s %7.0f bytes, needed %7.0f\n", what, taken, needed);
-    if (before > 0) /* else nobody counts: under a sanitizer */
+    if (before > 0) /* otherwise a sanitizer is active and allocations are not counted */
         assert_true(fabs(taken - needed) < 0.01 * needed);
     stage_end(&on);
 }
@@ -135,7 +137,7 @@ static void test_storage_goes_by_the_effects(void **state) {
     assert_takes_what_it_needs(nothing, "nothing");
 }
 
-/* Places are made for the vertices that are constrained, and for no others. */
+/* Memory is allocated only for vertices that are constrained. */
 static void test_constraints_of_the_constrained(void **state) {
     (void)state;
     stage on = full_sheet();
@@ -151,8 +153,8 @@ static void test_constraints_of_the_constrained(void **state) {
     stage_end(&on);
 }
 
-/* A thousand balls that are far away are looked at once; the nearest of them moves, and is met on
- * time: the same bits as with that one alone. */
+/* A thousand distant balls are examined once. The nearest one moves and is met in time, with the
+ * same bits as if it were alone. */
 static void test_a_thousand_colliders(void **state) {
     (void)state;
     enum { MANY = 1000, STEPS = 60 };
@@ -182,7 +184,8 @@ static void test_a_thousand_colliders(void **state) {
     stage_run(&one, 20);
     stage_run(&many, 1);
     stage_run(&one, 1);
-    assert_true(many.sim->collisions.others.time == looked); /* not in every step */
+    assert_true(many.sim->collisions.others.time ==
+                looked); /* the distant colliders were not examined again */
     stage_run(&many, STEPS - 21);
     stage_run(&one, STEPS - 21);
     assert_true(many.sim->collisions.visits > 0);
@@ -194,7 +197,7 @@ static void test_a_thousand_colliders(void **state) {
     free(all);
 }
 
-/* Free fall onto a floor that was out of reach: it is the cloth that comes. */
+/* Free fall onto a floor that was out of reach: the cloth comes near it. */
 static void test_falls_into_reach(void **state) {
     (void)state;
     collider floor = {
@@ -220,7 +223,8 @@ static stage lying_sheet(collider *table) {
     return on;
 }
 
-/* Cloth on a table falls asleep, sleeps while nothing happens, and falls when the table goes. */
+/* Cloth on a table falls asleep, sleeps while nothing happens, and falls when the table is
+ * removed. */
 static void test_cloth_sleeps(void **state) {
     (void)state;
     collider table = {.kind = COLLIDER_PLANE,
@@ -232,7 +236,7 @@ static void test_cloth_sleeps(void **state) {
     stage on = lying_sheet(&table);
     stage_begin(&on);
     stage_run(&on, 4);
-    assert_int_equal(simulation_counts(on.sim).slept, 0); /* it falls */
+    assert_int_equal(simulation_counts(on.sim).slept, 0); /* the cloth is falling */
     assert_true(on.sim->step.slow_steps == 0);
     stage_run(&on, 146);
     const long taken = simulation_counts(on.sim).taken, slept = simulation_counts(on.sim).slept;
@@ -252,7 +256,7 @@ static void test_cloth_sleeps(void **state) {
     stage_end(&on);
 }
 
-/* ... and falls from the very time at which it goes, within a step. */
+/* The cloth falls from the exact time at which the table is removed, within a step. */
 static void test_cloth_wakes_within_a_step(void **state) {
     (void)state;
     const double gone = 4.005;
@@ -273,7 +277,7 @@ static void test_cloth_wakes_within_a_step(void **state) {
     stage_end(&on);
 }
 
-/* A ball that is on its way, a pin that is to move, wind: no sleep. */
+/* A ball that approaches, a pin that will move, or wind prevents sleep. */
 static void test_what_is_driven_is_awake(void **state) {
     (void)state;
     for (int what = 0; what < 4; what++) {
@@ -304,7 +308,7 @@ static void test_what_is_driven_is_awake(void **state) {
     }
 }
 
-/* Saved in its sleep, it sleeps on. */
+/* Cloth that was saved asleep is asleep when restored. */
 static void test_sleep_is_saved(void **state) {
     (void)state;
     collider table = {.kind = COLLIDER_PLANE,
@@ -331,7 +335,8 @@ static void test_sleep_is_saved(void **state) {
     stage_end(&other);
 }
 
-/* Without the monitor the same bits, as long as it has nothing to say; and nothing of it. */
+/* Without the monitor the bits are the same, as long as it finds no fault; and it uses no
+ * memory. */
 static void test_monitor_can_be_off(void **state) {
     (void)state;
     stage on = full_sheet(), off = full_sheet();
@@ -350,7 +355,7 @@ static void test_monitor_can_be_off(void **state) {
     stage_end(&off);
 }
 
-/* What it goes on to look at: infinities, solutions, what passes. */
+/* Checks that continue without the monitor: for infinities, for solutions, and for passing. */
 static void test_monitor_that_is_off(void **state) {
     (void)state;
     stage on = full_sheet();
@@ -362,7 +367,7 @@ static void test_monitor_that_is_off(void **state) {
     step.passing = 0;
     step.shortest = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
-        on.sim->step.v_next[i][0] = 1e6; /* out of nothing */
+        on.sim->step.v_next[i][0] = 1e6; /* energy from nowhere */
     assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_GOOD);
     step.passing = 1;
     assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_PASSING);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Only the effects that a scene calls for: what is not on is not visited and changes no bit. */
+/* Only effects that a scene uses are computed: others are not visited and change no bit. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -29,8 +29,8 @@ static long visited(const stage *on, const char *name) {
     return -1;
 }
 
-/* Runs the plain scene and the one that `change` made of it: not a bit differs, and the effect was
- * not visited. */
+/* Runs the plain scene and the scene changed by `change`. Both must have the same bits, and the
+ * effect must not be visited. */
 static void assert_changes_no_bit(void (*change)(scene *), const char *effect) {
     stage plain = held_sheet(), with = held_sheet();
     change(&with.s);
@@ -102,7 +102,7 @@ static void test_pin_of_nothing(void **state) {
     assert_changes_no_bit(add_pin_of_nothing, "wind");
 }
 
-/* What is zero is absent: not visited, not stored. */
+/* An effect with coefficient 0 is absent: neither visited nor stored. */
 static void test_absent_effects_cost_nothing(void **state) {
     (void)state;
     static const char *const names[] = {
@@ -126,7 +126,8 @@ static void test_absent_effects_cost_nothing(void **state) {
     stage_end(&on);
 }
 
-/* Wind that begins and ends: until then the bits of calm, and the grid of times is kept. */
+/* Wind that begins and ends: until it begins the bits are those of calm air, and the times of
+ * frames do not change. */
 static void test_wind_begins_and_ends(void **state) {
     (void)state;
     stage calm = held_sheet(), windy = held_sheet();
@@ -152,20 +153,19 @@ static void test_wind_begins_and_ends(void **state) {
     stage_end(&windy);
 }
 
-/* A pin that lets go after half a second: held until then, falling from there. */
-/* A banner that hangs edge on to the wind: drag across the cloth finds nothing to push, drag along
- * it carries the lower end out, and the wind's work is no gain from nowhere. */
+/* A banner hangs edge-on to the wind. Drag across the cloth has no area to push, but drag along it
+ * moves the lower end outwards. The wind's work must be in the energy account. */
 static void test_wind_along_the_cloth(void **state) {
     (void)state;
     double out[2];
     for (int along = 0; along < 2; along++) {
         stage on = held_sheet();
-        for (int i = 0; i < on.m.vertex_count; i++) { /* upright, its held edge above */
+        for (int i = 0; i < on.m.vertex_count; i++) { /* upright, with the held edge at the top */
             on.m.position[i][2] = -on.m.position[i][0];
             on.m.position[i][0] = 0;
         }
         on.s.surroundings.wind[1] = 8;
-        on.s.surroundings.gravity[2] = 0; /* all that is gained is the wind's */
+        on.s.surroundings.gravity[2] = 0; /* so that all energy gained is the wind's work */
         on.s.surroundings.tangential_drag = along ? 0.1 : 0;
         stage_begin(&on);
         stage_run(&on, 100);
@@ -207,7 +207,7 @@ static void test_pin_is_released(void **state) {
     stage_end(&released);
 }
 
-/* A pin that moves from 0.05 s to 0.15 s, in steps that do not meet those times. */
+/* A pin that moves from 0.05 s to 0.15 s, with steps that do not end at these times. */
 static void test_pin_moves_for_a_while(void **state) {
     (void)state;
     stage on = held_sheet();
@@ -228,7 +228,7 @@ static void test_pin_moves_for_a_while(void **state) {
     stage_end(&on);
 }
 
-/* A table is taken away from under the cloth. */
+/* A table is removed from under the cloth. */
 static void test_collider_is_removed(void **state) {
     (void)state;
     collider table = {.kind = COLLIDER_PLANE,
@@ -255,8 +255,9 @@ static double strain_of(const stage *on) {
     return triangle_greatest_strain(&on->sim->cloth.triangles, simulation_positions(on->sim));
 }
 
-/* A cloth that its weight stretches by a third, and the same with a limit of 5 %: at rest it is
- * over by what the load stretches the stiffer cloth by, and on the way there never by much more. */
+/* A cloth that its weight stretches by a third, and the same cloth with a limit of 5 %. At rest it
+ * exceeds the limit by the strain of the stiffer cloth under this load, and before that never by
+ * much more. */
 static void test_strain_is_limited(void **state) {
     (void)state;
     double greatest[2] = {0, 0};
@@ -290,7 +291,7 @@ static void test_strain_is_limited(void **state) {
     assert_below(greatest[1], 0.07);
 }
 
-/* The limit's force is the gradient of its energy, and what is beyond it is exact in A. */
+/* The limit's force is the gradient of its energy, and its part beyond the limit is exact in A. */
 static void test_strain_limit_is_a_gradient(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.3, 1), cloth_scene());
@@ -326,8 +327,8 @@ static void test_strain_limit_is_a_gradient(void **state) {
     stage_end(&on);
 }
 
-/* b and A of a sheet that is moved and moving, with the triangles' forces of this material alone.
- */
+/* Computes b and A of a sheet that is displaced and moving, with only the triangles' forces of this
+ * material. */
 static void triangles_alone(stage *on, const triangle_material *material) {
     const double none[3] = {0, 0, 0};
     simulation *sim = on->sim;
@@ -346,8 +347,8 @@ static void add_system(linear_system *to, const linear_system *from) {
         (&to->b[0][0])[k] += (&from->b[0][0])[k];
 }
 
-/* The loops for stretch, for shear and for both: what each makes is the sum of what its effects
- * make, dampings included. */
+/* The loops for stretch, for shear and for both: each must give the sum of its effects, damping
+ * included. */
 static void test_triangle_effects_add_up(void **state) {
     (void)state;
     static const triangle_material both = {400, 80, 0.5, 0.1}, without_damping = {400, 80, 0, 0},
@@ -363,7 +364,7 @@ static void test_triangle_effects_add_up(void **state) {
             sum.sim->state.x[i][a] = part.sim->state.x[i][a] += 0.02 * random_number(&seed);
             sum.sim->state.v[i][a] = part.sim->state.v[i][a] = random_number(&seed);
         }
-    for (int way = 0; way < 3; way++) { /* the parts from..until make the whole */
+    for (int way = 0; way < 3; way++) { /* the sum of parts from..until must be the whole */
         static const int from[] = {0, 4, 0}, until[] = {4, 6, 2};
         triangles_alone(&sum, &parts[from[way]]);
         for (int k = from[way] + 1; k < until[way]; k++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* S35: scene and mesh files with bytes changed at random are read, or refused with a message that
- * names the file. The name is that of docs/fabric-hard-cases.md. */
+/* S35 of docs/fabric-hard-cases.md: scene and mesh files with randomly changed bytes are read, or
+ * refused with a message that names the file. */
 #include "check.h"
 
 #include <stdio.h>
@@ -28,7 +28,7 @@ static size_t load(const char *path, char *text) {
     return length;
 }
 
-/* A few bytes cut out at one place, and a word put in. */
+/* Removes a few bytes at one place and inserts a word. Returns the new length. */
 static size_t mutate(const char *from, size_t length, unsigned *seed, char *text) {
     memcpy(text, from, length);
     const size_t at = (size_t)((random_number(seed) + 1) / 2 * (double)length);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What keeps cloth apart after the system is solved, each part against mechanics or a dumb oracle:
- * zones that move as rigid bodies, which bodies and triangles are near, friction of several bodies.
- */
+/* The methods that keep cloth apart after the system is solved, each compared with mechanics or a
+ * simple computation: zones that move as rigid bodies, the search for near bodies and triangles,
+ * and friction of several bodies. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 #include "mesh/mesh_parts.h"
 #include "mesh/surface.h"
 
-/* Momentum and angular momentum about the origin. */
+/* Momentum and angular momentum about the origin, and energy. */
 typedef struct motion_sum {
     double linear[3], angular[3]; /* N s, N m s */
     double energy;                /* J */
@@ -32,8 +32,8 @@ static motion_sum sum_of(const stage *on, const double (*x)[3], const double (*v
     return sum;
 }
 
-/* Two pairs of triangles of unlike masses, askew in space. Without `grows` the first pair alone
- * meets; with it, what moves on together then meets the third. */
+/* Returns two pairs of triangles with different masses, in general position. Without `grows` only
+ * the first pair meets. With it, the pair, moving on together, then meets the third triangle. */
 static stage triangles_askew(int grows) {
     static const double material[9][2] = {{0, 0},   {0.2, 0}, {0, 0.3},   {1, 0},  {1.3, 0},
                                           {1, 0.2}, {2, 0},   {2.3, 0.1}, {2, 0.3}};
@@ -50,8 +50,8 @@ static stage triangles_askew(int grows) {
     return on;
 }
 
-/* What a zone's vertices end with: momentum and angular momentum stay, no two of those that were
- * changed come nearer or go apart, and the work is what the energy changes by. */
+/* A zone's vertices keep momentum and angular momentum, changed vertices keep their distances, and
+ * the reported work is the change of energy. */
 static void zones_are_rigid(void **state) {
     (void)state;
     for (int grows = 0; grows < 2; grows++) {
@@ -97,7 +97,7 @@ static void zones_are_rigid(void **state) {
     }
 }
 
-/* A zone with a pinned vertex moves as that does, and does not turn. */
+/* A zone with a pinned vertex moves like the vertex and does not turn. */
 static void held_zones_go_with_what_holds_them(void **state) {
     (void)state;
     pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 0.01}, .velocity = {0.3, 0, 0.1}};
@@ -121,8 +121,8 @@ static void held_zones_go_with_what_holds_them(void **state) {
     stage_end(&on);
 }
 
-/* The grid finds every vertex that goes through a triangle, or begins or ends nearer than a gap to
- * one, on a way of several triangles. */
+/* The grid finds every vertex that passes through a triangle, or begins or ends nearer to one than
+ * the gap, on a way past several triangles. */
 static void grid_follows_ways(void **state) {
     (void)state;
     static const double material[6][2] = {{0, 0}, {0.1, 0}, {0, 0.1}, {1, 0}, {1.1, 0}, {1, 0.1}};
@@ -164,8 +164,8 @@ static void grid_follows_ways(void **state) {
     cloth_free(&m);
 }
 
-/* Bodies that turn and go within a step: each that comes nearer than its gap to a vertex, as twenty
- * looks at its way say, is near. */
+/* A body that turns and moves within a step. If it is nearer to a vertex than its gap at one of 21
+ * times of the step, collisions_find_near must report it. */
 static void turning_bodies_are_near(void **state) {
     (void)state;
     unsigned seed = 4;
@@ -202,8 +202,8 @@ static void turning_bodies_are_near(void **state) {
     assert_true(met > 40 && off > 40);
 }
 
-/* Vertices over a tumbling cylinder: the velocity that the contact gives along its
- * normal ends the step outside of the body as it lies then. */
+/* Vertices above a tumbling cylinder: with the velocity that the contact prescribes along its
+ * normal, they end the step outside of the body's final position. */
 static void ways_over_turning_bodies_end_outside(void **state) {
     (void)state;
     unsigned seed = 6;
@@ -256,8 +256,8 @@ static void ways_over_turning_bodies_end_outside(void **state) {
     assert_below(highest, 1e-9);
 }
 
-/* A ball that comes between the vertices of a triangle from far away is found; what is left is
- * counted where the triangle can be moved, and not where pins hold it. */
+/* A distant ball that comes between a triangle's vertices is found. The remaining penetration is
+ * counted if the triangle can move, but not if pins hold it. */
 static void triangles_are_found_and_counted(void **state) {
     (void)state;
     pin hold = {.low = {-1, -1}, .high = {1, 1}};
@@ -289,7 +289,7 @@ static void triangles_are_found_and_counted(void **state) {
     }
 }
 
-/* The momentum that a ball gives to a triangle that it goes into and along, N s. */
+/* Computes the momentum that a ball gives to a triangle when it moves into and along it, N s. */
 static void pushed_by_a_ball(double friction, double pushed[3]) {
     static const double material[3][2] = {{0, 0}, {0.4, 0}, {0, 0.4}};
     static const int triangle[1][3] = {{0, 1, 2}};
@@ -300,7 +300,7 @@ static void pushed_by_a_ball(double friction, double pushed[3]) {
                      .friction = friction,
                      .gap = 0.002};
     stage on = stage_of(cloth_of(3, material, 1, triangle), cloth_scene());
-    collider two[2] = {ball, ball}; /* the first one beside it */
+    collider two[2] = {ball, ball}; /* the first one is next to the triangle */
     two[0].position[0] += 0.2;
     on.s.colliders = two;
     on.s.collider_count = 2;
@@ -317,7 +317,7 @@ static void pushed_by_a_ball(double friction, double pushed[3]) {
     stage_end(&on);
 }
 
-/* It drags the triangle along by Coulomb's part of what it pushes. */
+/* With friction the ball drags the triangle along, by Coulomb's fraction of the push. */
 static void bodies_drag_triangles_along(void **state) {
     (void)state;
     double smooth[3], rough[3], along[3];
@@ -328,8 +328,8 @@ static void bodies_drag_triangles_along(void **state) {
     assert_near(along[0], 0.2 * vector_length(smooth), 0.03 * vector_length(smooth));
 }
 
-/* The pit of a mesh is no part of it: a triangle over its rim meets the rim, not the pit; and one
- * within the pit, which no convex body has, does not meet anything. */
+/* A mesh with a pit is not convex: a triangle above its rim meets the rim and not the pit's floor,
+ * and a triangle within the pit meets nothing. */
 static void meshes_are_not_convex(void **state) {
     (void)state;
     enum { around = 12, rings = 4 };
@@ -365,8 +365,8 @@ static void meshes_are_not_convex(void **state) {
     pot.surface = surface_new(&m, error);
     if (!pot.surface)
         fail_msg("%s", error);
-    /* Its middle lies over the pit's floor, which is nearest there, and its corners over the rim.
-     */
+    /* The middle is above the pit's floor, which is nearest there, and the corners are above the
+     * rim. */
     const double over[3][3] = {{-0.3, -0.18, 0.33}, {0.3, -0.18, 0.33}, {0, 0.36, 0.33}};
     const double down[3][3] = {{0, 0, -0.1}, {0, 0, -0.1}, {0, 0, -0.1}};
     double weight[3], at[3] = {0};
@@ -381,11 +381,11 @@ static void meshes_are_not_convex(void **state) {
     surface_free(pot.surface);
 }
 
-/* A sheet on a slope that is the second body, behind one without friction far away; the other way
- * round it slides as if there were none. */
+/* A sheet lies on a rough slope, which is the second body after a distant smooth one. With the
+ * frictions exchanged the sheet slides as on a smooth slope. */
 static void each_body_has_its_friction(void **state) {
     (void)state;
-    for (int rough = 0; rough < 3; rough++) { /* slides freely, slides with friction, sticks */
+    for (int rough = 0; rough < 3; rough++) { /* slides freely, slides with friction, or sticks */
         const double angle = 0.4, friction = rough * 0.8 * tan(angle);
         collider bodies[2] = {
             {.kind = COLLIDER_SPHERE, .position = {9, 9, 9}, .size = {1}, .gap = 0.005},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of motion: momentum, indefinite systems, stiffness, mass, order, refinement. The names
- * are those of docs/fabric-hard-cases.md. */
+/* Hard cases of motion: momentum, indefinite systems, stiffness, mass, order, and refinement.
+ * Numbers such as S07 refer to docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <limits.h>
@@ -28,7 +28,7 @@ static void angular_momentum(const stage *on, double sum[3]) {
     }
 }
 
-/* What a sheet that turns at 2 rad/s loses of its angular momentum in 0.64 s. */
+/* Returns the angular momentum that a sheet turning at 2 rad/s loses in 0.64 s. */
 static double momentum_lost(double h) {
     stage on = free_sheet(6, 0);
     double before[3], after[3];
@@ -65,7 +65,7 @@ static stage compressed_sheet(void) {
     return on;
 }
 
-/* The right side's h f at positions x and velocity 0. */
+/* Computes h f, the right side at positions x. The velocities v must be 0. */
 static void force_at(simulation *sim, double (*x)[3], double (*v)[3], double *b) {
     double(*kept_x)[3] = sim->state.x, (*kept_v)[3] = sim->state.v;
     sim->state.x = x;
@@ -76,8 +76,8 @@ static void force_at(simulation *sim, double (*x)[3], double (*v)[3], double *b)
     sim->state.v = kept_v;
 }
 
-/* Puts the exact M - h^2 df/dx, by differences of the forces, in place of A: no clamp, no
- * Gauss-Newton. Vertices that share no element do not couple, so those blocks are all there is. */
+/* Replaces A by the exact M - h^2 df/dx, from differences of the forces, without clamping or
+ * Gauss-Newton. Vertices that share no element are not coupled, so A has blocks for all. */
 static void use_exact_jacobian(simulation *sim) {
     const int n = 3 * sim->mesh->vertex_count;
     const double d = 1e-6;
@@ -126,7 +126,7 @@ static void S09_clamped_system_is_solved(void **state) {
     stage_end(&on);
 }
 
-/* The negative control: the same cloth, the same solver, the exact Jacobian. */
+/* The negative control: the same cloth and solver with the exact Jacobian. */
 static void S09_unclamped_system_breaks_down(void **state) {
     (void)state;
     stage on = compressed_sheet();
@@ -157,8 +157,8 @@ static double lowest(const stage *on) {
     return z;
 }
 
-/* Finite is not enough: what the cloth has must have come out of gravity. A step of 100 s needs
- * parts shorter than a thousandth of it where the cloth is stiff: that is refused, and said. */
+/* The result must not only be finite: its energy must come from gravity. A step of 100 s needs
+ * parts shorter than a thousandth of it if the cloth is stiff, which is refused with a message. */
 static void S17_huge_steps_gain_no_energy(void **state) {
     (void)state;
     const double steps[] = {1e-3, 1.0 / 30, 1, 100}, stiffness[] = {1, 1e2, 1e4, 1e6, 1e8};
@@ -193,7 +193,8 @@ static void S17_huge_steps_gain_no_energy(void **state) {
     assert_in_range(refused, 0, 5);
 }
 
-/* What one step of 1/30 s does to a flap of 1e8 N/m, and how it is taken instead. */
+/* One step of 1/30 s of a flap of 1e8 N/m without the monitor, and how the monitor subdivides
+ * it. */
 static void S26_energy_is_watched(void **state) {
     (void)state;
     for (int watched = 0; watched < 2; watched++) {
@@ -220,7 +221,7 @@ static void S26_energy_is_watched(void **state) {
     }
 }
 
-/* Wind of 1000 m/s from one step to the next. */
+/* Wind of 1000 m/s begins between two steps. */
 static void S26_sudden_storm(void **state) {
     (void)state;
     stage on = held_sheet(6);
@@ -238,7 +239,7 @@ static void S26_sudden_storm(void **state) {
     stage_end(&on);
 }
 
-/* Eight decades from one half of the cloth to the other. */
+/* Stiffness differs by eight decades between the halves of the cloth. */
 static void S18_stiffness_ratio(void **state) {
     (void)state;
     long most = 0;
@@ -284,7 +285,7 @@ static void S19_mass_ratio(void **state) {
     }
 }
 
-/* A flap held by one edge falls for 0.32 s in N steps. */
+/* Returns a flap held at one edge that falls for 0.32 s in `steps` steps. */
 static stage flap(int steps) {
     stage on = held_sheet(6);
     on.s.solution.tolerance = 1e-9;
@@ -303,7 +304,7 @@ static double rms_distance(const stage *a, const stage *b) {
     return sqrt(sum / a->m.vertex_count);
 }
 
-/* Differences of neighbours: of order 1, each is half of the one before. */
+/* Differences between successive refinements: with order 1 each is half of the previous one. */
 static void S31_order_in_time(void **state) {
     (void)state;
     stage run[4];

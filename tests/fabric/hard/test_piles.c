@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of contact between cloth, cloth and bodies: piles, folds, and what goes between
- * vertices. The names are those of docs/fabric-hard-cases.md. */
+/* Hard cases of contact between cloth, cloth and bodies: piles, folds, and bodies that pass
+ * between vertices. Numbers such as S36 refer to docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static collider floor_at(double z) {
                       .gap = 0.004};
 }
 
-/* Sheets one above the other, as one mesh. */
+/* Returns sheets above each other as one mesh. */
 static mesh layers(int count, int columns, double spacing, double apart) {
     const mesh one = cloth_sheet(columns, columns, spacing, 0.2, 3);
     const int vertices = one.vertex_count, triangles = one.triangle_count;
@@ -40,7 +40,7 @@ static mesh layers(int count, int columns, double spacing, double apart) {
                         (const int(*)[3])triangle);
     for (int n = 0; n < count; n++)
         for (int i = 0; i < vertices; i++) {
-            /* Each a little aside, so that no vertex lies exactly over one. */
+            /* Each sheet is shifted slightly, so that no vertex lies exactly above another. */
             all.position[n * vertices + i][0] = one.position[i][0] + 0.013 * n;
             all.position[n * vertices + i][2] = apart * (n + 1);
         }
@@ -51,7 +51,8 @@ static mesh layers(int count, int columns, double spacing, double apart) {
     return all;
 }
 
-/* Sheets fall onto a floor and lie there: none goes into it, nor through another. */
+/* Sheets fall onto a floor and come to rest there. None may enter the floor or pass through
+ * another. */
 static void pile(int count, int steps, double deepest_allowed) {
     collider ground = floor_at(0);
     stage on = stage_of(layers(count, 5, 0.05, 0.012), cloth_scene());
@@ -96,9 +97,9 @@ static void S36_ten_layers_on_a_floor(void **state) {
     pile(10, 25, 1e-9);
 }
 
-/* A plate comes down on a sheet that lies on a floor, to less room than the gaps want: no way out.
- * It is told, be it in the account or as the reason why the run ends, and the sheet is neither torn
- * nor does it cost a thousand steps a step. */
+/* A plate comes down on a sheet that lies on a floor, until there is less room than the gaps need.
+ * This must be reported, in the account or as the reason for which the run ends. The sheet must not
+ * tear, and a step must not take a thousand parts. */
 static void S43_squeezed(void **state) {
     (void)state;
     const char *const names[] = {"stops at half of the gaps", "goes on through the floor"};
@@ -143,8 +144,8 @@ static void S43_squeezed(void **state) {
     }
 }
 
-/* Twenty-four sheets rush together from both sides: more than rounds of impulses sort out, the rest
- * moves on as one. Nothing passes, and momentum stays. */
+/* Twenty-four sheets collide from both sides. Rounds of impulses cannot resolve all contacts, so
+ * the rest moves on as one rigid zone. Nothing passes, and momentum is conserved. */
 static void S44_sheets_crash(void **state) {
     (void)state;
     enum { count = 24 };
@@ -215,8 +216,9 @@ static void S37_ribbon_folds_onto_itself(void **state) {
     stage_end(&on);
 }
 
-/* A coarse cloth, held all round or at two sides, and a body that has room between its vertices.
- * How far below the cloth's edge the body's top ends, m: above 0 it is through. */
+/* A coarse cloth, held all around or at two sides, meets a body that fits between its vertices.
+ * Returns how far the body's top ends below the cloth's edge, m: a positive value means that the
+ * body has passed through. */
 static double body_through(collider *body, int steps, double speed, double h) {
     static pin hold[4] = {{.low = {-0.01, -1}, .high = {0.01, 1}},
                           {.low = {0.59, -1}, .high = {0.61, 1}},
@@ -233,7 +235,7 @@ static double body_through(collider *body, int steps, double speed, double h) {
     body->velocity[2] = -speed;
     on.s.colliders = body;
     on.s.collider_count = 1;
-    on.s.monitor.energy = 1e300; /* the pins hold on whatever it takes */
+    on.s.monitor.energy = 1e300; /* the pins hold the cloth, whatever energy this takes */
     stage_begin(&on);
     stage_run(&on, steps);
     stage_assert_finite(&on);
@@ -267,7 +269,7 @@ static void S38_small_fast_ball(void **state) {
     assert_below(body_through(&ball, 6, 10, 0.005), 0.02);
 }
 
-/* A cone with its tip down. */
+/* Returns a cone with its tip downwards. */
 static surface *cone(double radius, double height) {
     enum { around = 16 };
     char error[256] = "";
@@ -304,7 +306,7 @@ static void S38_tip_of_a_cone(void **state) {
     surface_free(body.surface);
 }
 
-/* As long as it takes a pile to settle, in the slow tests: test_fabric_hard_piles long. */
+/* Runs until a pile has settled; only in the slow tests (test_fabric_hard_piles long). */
 static void S36_ten_layers_for_long(void **state) {
     (void)state;
     const clock_t begin = clock();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A simulation restored from what was saved between any two steps goes on with the same bits. */
+/* A simulation that was saved after any step and restored continues with the same bits. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,13 +8,13 @@
 
 enum { STEPS = 8 };
 
-/** What a simulation was after some step. */
+/** A simulation that was saved after some step. */
 typedef struct saved {
     unsigned char *bytes;
     size_t size;
 } saved;
 
-/* Seconds are no part of what must be the same. */
+/* Measured seconds need not be equal. */
 static void forget_seconds(simulation *sim) {
     for (int k = 0; k < PHASE_COUNT; k++)
         sim->account.phases[k].seconds = 0;
@@ -36,7 +36,8 @@ static void assert_same(const saved *a, const saved *b) {
     assert_memory_equal(a->bytes, b->bytes, a->size);
 }
 
-/* What came up in the run that was interrupted everywhere: a test is to meet what it is about. */
+/* Events of the run that was interrupted after each step, so that a test can check that its event
+ * occurred. */
 typedef struct met {
     int halved, sticking, sliding, two_states, plan_changed;
     long rejected, self_visits, limited;
@@ -56,7 +57,8 @@ static void look(const stage *on, met *found) {
     found->limited = sim->account.effects[EFFECT_STRAIN_LIMIT].visited;
 }
 
-/* Runs a stage, saves after every step, goes on from each. make: a stage that has not begun. */
+/* Runs a stage, saves it after every step, and continues from each. make: returns a stage that has
+ * not begun. */
 static met go_on_from_everywhere(stage (*make)(int), int variant) {
     saved after[STEPS + 1];
     met found = {0};
@@ -109,7 +111,7 @@ static collider balls[2] = {{.kind = COLLIDER_SPHERE,
                              .gap = 0.005,
                              .until = 0.19}};
 
-/* Wind that begins, pins that move and let go, a ball that comes and a floor that goes. */
+/* Wind that begins, pins that move and let go, a ball that arrives, and a floor that is removed. */
 static stage crowded(int integrator) {
     stage on = stage_of(cloth_sheet(7, 6, 0.1, 0.3, 3), cloth_scene());
     on.s.time.integrator = integrator;
@@ -144,7 +146,7 @@ static void test_everything_at_once(void **state) {
     }
 }
 
-/* Without contacts: BDF2 looks back at two states. */
+/* Without contacts BDF2 uses two previous states. */
 static stage swinging(int integrator) {
     stage on = crowded(integrator);
     on.s.collider_count = 0;
@@ -159,7 +161,8 @@ static void test_integrators(void **state) {
                          integrator == INTEGRATOR_BDF2);
 }
 
-/* A storm of 1 km/s, in steps too long for it: they are halved, and grow again. */
+/* A storm of 1 km/s with steps that are too long for it: they are halved and become longer
+ * again. */
 static stage stormy(int integrator) {
     static pin held = {.low = {-0.01, -0.01}, .high = {0.01, 2}};
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 6), cloth_scene());
@@ -186,7 +189,7 @@ static void test_halved_steps(void **state) {
     }
 }
 
-/* A wing of a hinge is turned round and round: its angle is remembered over whole turns. */
+/* A hinge's wing is turned around repeatedly: its angle must be remembered beyond full turns. */
 static stage winding(int integrator) {
     static const double material[4][2] = {{0, 0}, {0, 1}, {-1, 0.5}, {1, 0.5}};
     static const int triangle[2][3] = {{0, 1, 2}, {1, 0, 3}};
@@ -207,7 +210,7 @@ static void test_wound_hinge(void **state) {
     stage whole = winding(INTEGRATOR_EULER), rest = winding(INTEGRATOR_EULER);
     stage_begin(&whole);
     stage_begin(&rest);
-    whole.sim->cloth.hinges.angle[0] = 2 * acos(-1.0); /* once around, and flat again */
+    whole.sim->cloth.hinges.angle[0] = 2 * acos(-1.0); /* one full turn, and flat again */
     stage_changed(&whole);
     saved before = save(whole.sim);
     assert_int_equal(simulation_restore(rest.sim, before.bytes, before.size), 0);
@@ -252,7 +255,7 @@ static void test_solvers(void **state) {
             assert_true(go_on_from_everywhere(solved, n).limited > 0);
 }
 
-/* Slivers on which the conjugate gradients give up: so many systems are solved directly at once. */
+/* Slivers on which the conjugate gradients fail so often that systems are soon solved directly. */
 static stage slivers(int integrator) {
     stage on = stage_of_slivers();
     on.s.time.integrator = integrator;
@@ -265,11 +268,11 @@ static void test_direct_solutions_at_once(void **state) {
         go_on_from_everywhere(slivers, INTEGRATOR_LINEAR_EULER);
 }
 
-/* Bytes that are too few, too many, or not a simulation's are refused. */
+/* Too few or too many bytes, or bytes that are no simulation, are refused. */
 static void test_wrong_bytes(void **state) {
     (void)state;
     if (stage_compares_bits())
-        return; /* a thousand simulations that do no step */
+        return; /* would make a thousand simulations without steps */
     stage on = crowded(INTEGRATOR_LINEAR_EULER);
     stage_begin(&on);
     stage_run(&on, 4);
@@ -284,7 +287,7 @@ static void test_wrong_bytes(void **state) {
         assert_int_equal(simulation_restore(other.sim, longer, size), size == whole.size ? 0 : -1);
         stage_end(&other);
     }
-    for (int ticks = -1; ticks < 5; ticks++) { /* a step's length follows the frame's number */
+    for (int ticks = -1; ticks < 5; ticks++) { /* a step's length depends on the frame's number */
         stage other = crowded(INTEGRATOR_LINEAR_EULER);
         stage_begin(&other);
         memcpy(longer + 8, &ticks, sizeof ticks);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The rules of contact and of impulses, each by itself: what a whole scene may not show when it is
- * broken. */
+/* The rules of contact and of impulses, each alone, since a whole scene may not show that one is
+ * broken. Numbers such as S39 refer to docs/fabric-hard-cases.md. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -15,8 +15,8 @@
 
 static collider plane = {.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.005};
 
-/* What is inside is pushed out by a gap in a step of the scene at most, whatever part of it h is.
- */
+/* A vertex inside a body is pushed out by at most one gap per step of the scene, whatever part of
+ * the step h is. */
 static void test_push_is_limited(void **state) {
     (void)state;
     stage on = stage_with(&plane);
@@ -34,7 +34,7 @@ static void test_push_is_limited(void **state) {
     stage_end(&on);
 }
 
-/* Pins put their vertices where they belong, wherever those were. */
+/* Pins put their vertices into the prescribed positions, wherever they were. */
 static void test_pins_place(void **state) {
     (void)state;
     pin moving = {.low = {-0.01, -1}, .high = {0.01, 1}, .velocity = {0.5, 0, -1}};
@@ -58,7 +58,8 @@ static void test_pins_place(void **state) {
     stage_end(&on);
 }
 
-/* Depth in a moving collider, at its place at that time; how many are inside. */
+/* Computes the depth in a moving collider at its position at that time, and the number of vertices
+ * inside. */
 static void test_depth(void **state) {
     (void)state;
     collider ball = {.kind = COLLIDER_SPHERE,
@@ -90,7 +91,7 @@ static void test_cylinder_has_ends(void **state) {
     assert_near(normal[2], 1, 1e-14);
 }
 
-/* Friction acts in the plane of contact alone. */
+/* Friction acts only in the plane of contact. */
 static void test_friction_is_tangential(void **state) {
     (void)state;
     stage on = stage_with(&plane);
@@ -115,7 +116,8 @@ static void test_friction_is_tangential(void **state) {
     stage_end(&on);
 }
 
-/* Two vertices that meet: equal and opposite impulses, Coulomb's friction, nothing into a body. */
+/* Two vertices that collide: the impulses are equal and opposite, friction is Coulomb's, and no
+ * vertex is pushed into a body. */
 static void test_impulses(void **state) {
     (void)state;
     stage on = stage_with(&plane);
@@ -138,22 +140,22 @@ static void test_impulses(void **state) {
         assert_near(mass[2] * v[2][0] + mass[7] * v[7][0], before, 1e-16);
     }
     assert_true(light > 0);
-    /* 7 lies on the plane: it goes no further down, 2 takes it all. */
+    /* Vertex 7 lies on the plane and cannot move down, so vertex 2 takes the whole impulse. */
     memset(v, 0, sizeof *v * (size_t)on.m.vertex_count);
     on.sim->collisions.now[7] = (vertex_contacts){.count = 1, .list = {{.normal = {0, 0, 1}}}};
     assert_true(impulse_give(&of, &both, up, 0.5, 0, NULL, v, &work));
     assert_near(v[7][2], 0, 0);
     assert_near(v[2][2], 0.5, 1e-14);
-    /* But it may be lifted. */
+    /* An impulse may lift vertex 7 from the plane. */
     const double down[3] = {0, 0, -1};
     assert_true(impulse_give(&of, &both, down, 0.5, 0, NULL, v, &work));
     assert_true(v[7][2] > 0.01);
-    /* And then be slowed down as what is free, */
+    /* While lifted, it is slowed down like a free vertex. */
     const double lifted = v[7][2], together = mass[2] * v[2][2] + mass[7] * v[7][2];
     assert_true(impulse_give(&of, &both, up, lifted / 4, 0, NULL, v, &work));
     assert_true(v[7][2] > 0 && v[7][2] < lifted);
     assert_near(mass[2] * v[2][2] + mass[7] * v[7][2], together, 1e-16);
-    /* until it moves as its body does. */
+    /* If the plane moves up, vertex 7 is not slowed down below the plane's speed. */
     on.sim->collisions.now[7].list[0].speed = 0.25;
     v[7][2] = 0.5;
     assert_true(impulse_give(&of, &both, up, 100, 0, NULL, v, &work));
@@ -162,13 +164,13 @@ static void test_impulses(void **state) {
     stage_end(&on);
 }
 
-/* Two vertices' worth of cloth nearer than the gap draw apart; neighbours in the flat cloth do not,
- * and edges are looked at as well as vertices. */
+/* Parts of the cloth that are nearer than the gap move apart, but neighbours in flat cloth do not.
+ * Edges are examined as well as vertices. */
 static void test_drawing_apart(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(7, 3, 0.1, 0.2, 3), cloth_scene());
     for (int i = 0; i < on.m.vertex_count; i++)
-        if (on.m.position[i][0] > 0.35) { /* the right half folded over the left */
+        if (on.m.position[i][0] > 0.35) { /* folds the right half over the left one */
             on.m.position[i][0] = 0.71 - on.m.position[i][0];
             on.m.position[i][2] = 0.006;
         }
@@ -187,7 +189,7 @@ static void test_drawing_apart(void **state) {
     assert_near(largest, 0.25 * 0.004 / 0.02, 1e-4);
     for (int i = 0; i < on.m.vertex_count; i++)
         assert_true(x[i][2] > 0 ? v[i][2] >= 0 : v[i][2] <= 0);
-    /* Pairs that ask for nothing any more are looked at again when somebody else moves them. */
+    /* Pairs without a demand are examined again when another pair has moved them. */
     for (int n = 0; n < 100 && self_collision_push(&s, &of, 0.02, x, v, &work) > 0; n++)
         ;
     assert_near(self_collision_push(&s, &of, 0.02, x, v, &work), 0, 0);
@@ -222,8 +224,8 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
-/* All four move: against the path in many small steps, also where the vertex comes back to the side
- * on which it was. */
+/* All four vertices move. The result is compared with the path in many small steps, also if the
+ * vertex returns to its first side. */
 static void test_vertex_through_moving_triangle(void **state) {
     (void)state;
     enum { parts = 400 };
@@ -271,7 +273,7 @@ static void test_vertex_through_moving_triangle(void **state) {
     assert_true(passed > 150 && came_back > 50);
 }
 
-/* Cloth that starts inside a collider is counted, and what becomes of it is told. */
+/* Cloth that starts inside a collider is counted, and its later state is reported. */
 static void test_start_inside(void **state) {
     (void)state;
     collider ball = {
@@ -299,7 +301,7 @@ static void test_start_inside(void **state) {
     stage_end(&on);
 }
 
-/* A sheet folded over itself, its upper half `apart` above the lower. */
+/* Returns a sheet folded over itself, with its upper half `apart` above the lower one. */
 static stage folded(double apart) {
     stage on = stage_of(cloth_sheet(7, 3, 0.1, 0.2, 3), cloth_scene());
     for (int i = 0; i < on.m.vertex_count; i++)
@@ -310,8 +312,8 @@ static stage folded(double apart) {
     return on;
 }
 
-/* The upper half would end the step exactly on the lower: it ends a tenth of the gap above it, and
- * another round has nothing left to push. */
+/* The upper half would end the step exactly on the lower one. It must end a tenth of the gap above
+ * it, and another round must have nothing left to push. */
 static void test_ends_in_touch(void **state) {
     (void)state;
     stage on = folded(0.02);
@@ -345,8 +347,8 @@ static void test_ends_in_touch(void **state) {
     stage_end(&on);
 }
 
-/* Cloth thrown at itself at random, each vertex by up to `wild` m/s: none passes; how much another
- * round would still push, m/s. */
+/* Gives each vertex of a folded cloth a random velocity of up to `wild` m/s and checks that nothing
+ * passes. Returns how much another round would still push, m/s. */
 static double thrown_at_itself(double wild, unsigned seed) {
     stage on = folded(0.012);
     stage_begin(&on);
@@ -373,7 +375,7 @@ static double thrown_at_itself(double wild, unsigned seed) {
     return more;
 }
 
-/* The rounds go on until hardly anything is left to push; wild motions end apart as well. */
+/* Rounds continue until almost nothing is left to push. Very fast motions must also end apart. */
 static void test_rounds_and_zones(void **state) {
     (void)state;
     assert_below(thrown_at_itself(0.2, 9), 1e-4);
@@ -381,7 +383,7 @@ static void test_rounds_and_zones(void **state) {
         thrown_at_itself(seed % 2 == 0 ? 20 : 100, seed);
 }
 
-/* Of demands that contradict each other the first wins. */
+/* If demands contradict each other, the first one is satisfied. */
 static void test_first_demand_wins(void **state) {
     (void)state;
     const double d[3][3] = {{0, 0, 2}, {0, 0, 1}, {1, 0, 1}}, change[3] = {2, 5, 4};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Cloth against itself: pairs of features against dumb oracles, and whole cloths. */
+/* Contact of cloth with itself: pairs of features are compared with simple computations, and whole
+ * cloths are run. */
 #include "stage.h"
 
 #include <stdlib.h>
@@ -15,7 +16,7 @@ static void random_points(double size, unsigned *seed, double x[4][3]) {
             x[k][a] = size * random_number(seed);
 }
 
-/* A vertex moves past a triangle that stays: it passes exactly if its way crosses the triangle. */
+/* A vertex moves past a triangle at rest. It passes exactly if its path crosses the triangle. */
 static void test_vertex_through_triangle(void **state) {
     (void)state;
     unsigned seed = 1;
@@ -35,8 +36,8 @@ static void test_vertex_through_triangle(void **state) {
     assert_in_range(passed, 500, 10000);
 }
 
-/* An edge sweeps a parallelogram that another edge stays in the way of: both are edges, and the
- * oracle is the edge against the parallelogram's two triangles. */
+/* An edge sweeps a parallelogram, and another edge is in its way. The result is compared with the
+ * crossings of the second edge and the parallelogram's two triangles. */
 static void test_edge_through_edge(void **state) {
     (void)state;
     unsigned seed = 2;
@@ -59,7 +60,8 @@ static void test_edge_through_edge(void **state) {
     assert_in_range(passed, 500, 10000);
 }
 
-/* The grid finds what comparing all pairs of triangles finds, in every part. */
+/* In every part of a step the grid finds the pairs that a comparison of all pairs of triangles
+ * finds. */
 static void test_grid_misses_no_pair(void **state) {
     (void)state;
     mesh m = cloth_sheet(7, 6, 0.1, 0.3, 4);
@@ -69,7 +71,7 @@ static void test_grid_misses_no_pair(void **state) {
     for (unsigned seed = 1; seed < 100; seed++) {
         double(*x)[3] = cloth_moved(&m, 0.2, seed), (*v)[3] = cloth_moved(&m, 1, seed + 99);
         const double h = seed == 5 ? 10 : 0.1;
-        for (int i = 0; i < m.vertex_count; i++) /* in other cells than before */
+        for (int i = 0; i < m.vertex_count; i++) /* moves vertices to other cells */
             for (int a = 0; a < 3; a++)
                 x[i][a] += 3.7 * seed * (a + 1);
         assert_int_equal(
@@ -103,7 +105,7 @@ static void test_grid_misses_no_pair(void **state) {
     cloth_free(&m);
 }
 
-/* No grid has cells for what is not finite: that is said, not sought for ever. */
+/* Positions that are not finite have no cell in a grid: this is reported, and the search ends. */
 static void test_not_finite_is_refused(void **state) {
     (void)state;
     mesh m = cloth_sheet(4, 4, 0.1, 0.3, 4);
@@ -122,7 +124,7 @@ static void test_not_finite_is_refused(void **state) {
     cloth_free(&m);
 }
 
-/* A cloth held by one edge hangs down to the ground; let go, it falls on itself. */
+/* A cloth held at one edge hangs down to the ground. When let go, it falls onto itself. */
 static stage folding(double gap) {
     static collider ground = {.kind = COLLIDER_PLANE,
                               .position = {0, 0, -0.3},
@@ -165,7 +167,8 @@ static void test_cloth_folds_on_itself(void **state) {
     assert_int_equal(most[1], 0);
 }
 
-/* Impulses are equal and opposite: in free fall with the cloth thrown at itself momentum stays. */
+/* Impulses are equal and opposite: in free fall, with cloth that collides with itself, momentum is
+ * conserved. */
 static void test_momentum_stays(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(8, 6, 0.1, 0.3, 1), cloth_scene());
@@ -175,8 +178,8 @@ static void test_momentum_stays(void **state) {
     on.s.material.bend = 0;
     on.s.time.step = 0.02;
     on.s.solution.tolerance = 1e-12;
-    on.s.monitor.energy = 1e300; /* the velocity is put in behind the monitor's back */
-    for (int i = 0; i < on.m.vertex_count; i++) { /* folded: the right half above the left */
+    on.s.monitor.energy = 1e300;                  /* the monitor does not know of this velocity */
+    for (int i = 0; i < on.m.vertex_count; i++) { /* folds the right half over the left */
         if (on.m.position[i][0] < 0.36)
             continue;
         on.m.position[i][0] = 0.72 - on.m.position[i][0];
@@ -198,7 +201,7 @@ static void test_momentum_stays(void **state) {
     stage_end(&on);
 }
 
-/* A flat cloth meets itself nowhere: the bits are those without. */
+/* A flat cloth does not touch itself, so the bits are those without self-collision. */
 static void test_flat_cloth_has_its_bits(void **state) {
     (void)state;
     stage with = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
@@ -219,8 +222,8 @@ static void test_flat_cloth_has_its_bits(void **state) {
     stage_end(&without);
 }
 
-/* A triangle that is thinner than the gap: its tip is too near to the edge across, and stays there.
- * In a cloth whose rest shape has room for it the tip is drawn away. */
+/* A triangle is thinner than the gap. Its tip is too near to the opposite edge and stays there. If
+ * the rest shape has room for the tip, the tip moves away. */
 static void test_thin_triangles_stay(void **state) {
     (void)state;
     static const int triangle[4][3] = {{0, 1, 2}, {1, 3, 2}, {2, 3, 0}, {0, 4, 1}};
@@ -239,7 +242,7 @@ static void test_thin_triangles_stay(void **state) {
         v[2][1] = falls_back ? (0.0003 - x[2][1]) / h : 0;
         on.m.rest_in_space = in_space;
         for (int i = 0; i < 5 && in_space; i++)
-            on.m.material[i][0] = on.m.material[i][1] = 0; /* not what tells */
+            on.m.material[i][0] = on.m.material[i][1] = 0; /* must not decide */
         assert_int_equal(self_collision_init(&s, &on.m, gap, 0, h), 0);
         assert_int_equal(self_collision_find(&s, h, (const double(*)[3])x, (const double(*)[3])v),
                          0);
@@ -251,8 +254,8 @@ static void test_thin_triangles_stay(void **state) {
     }
 }
 
-/* A mesh not much wider than the gap, pressed together: neighbours are nearer than the gap, and are
- * not pushed apart. */
+/* A mesh slightly wider than the gap is pressed together: neighbours are nearer than the gap and
+ * are not pushed apart. */
 static void test_neighbours_stay(void **state) {
     (void)state;
     const double h = 0.02, gap = 0.005;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Hard cases of meshes: slivers, topology, refinement, numbering. The names are those of
+/* Hard cases of meshes: slivers, topology, refinement and numbering. Numbers such as S11 refer to
  * docs/fabric-hard-cases.md. */
 #include "stage.h"
 
@@ -12,9 +12,9 @@
 
 enum { columns = 12, slivers = 10 };
 
-/* A sheet, ten of whose triangles have a vertex inside that is nearer to an edge than 1e-2 to 1e-6
- * of its length, and an eleventh has one on the edge: in each place a sliver and two triangles. The
- * slivers are the last triangles. */
+/* Returns a sheet with slivers. Ten triangles have an added vertex inside, nearer to an edge than
+ * 1e-2 to 1e-6 of the edge's length. An eleventh has a vertex on the edge. Each becomes a sliver
+ * and two triangles. The slivers are the last triangles. */
 static mesh sheet_with_slivers(void) {
     mesh sheet = cloth_sheet(columns, columns, 0.1, 0.3, 1);
     const int triangles = sheet.triangle_count, added = slivers + 1;
@@ -81,7 +81,7 @@ static void S12_slivers(void **state) {
     stage_end(&on);
 }
 
-/* Two sheets side by side as one mesh: each moves as it would alone. */
+/* Two adjacent sheets are one mesh: each moves as it would alone. */
 static void S30_components_are_independent(void **state) {
     (void)state;
     enum { each = 25 };
@@ -121,7 +121,7 @@ static void S30_components_are_independent(void **state) {
     stage_end(&alone);
 }
 
-/* How far the free edge of a sheet of 0.8 m hangs below the one that is held, at rest. */
+/* Returns how far the free edge of a sheet of 0.8 m hangs below the held edge, at rest. */
 static double drop(int across) {
     stage on = held(cloth_sheet(across, across, 0.8 / (across - 1), 0, 1));
     double lowest = 0;
@@ -154,7 +154,7 @@ static void S32_refinement_converges(void **state) {
     }
 }
 
-/* The same cloth with vertices and triangles in another order. */
+/* Returns the same cloth with vertices and triangles in another order. */
 static mesh permuted(const mesh *from, unsigned seed, int *place) {
     const int n = from->vertex_count, triangles = from->triangle_count;
     double(*material)[2] = calloc((size_t)n, sizeof *material);
@@ -198,14 +198,15 @@ static void S33_numbering_does_not_matter(void **state) {
     assert_below(worst, 1e-9);
 }
 
-/* S11. A corner turned in: one triangle lies on the others, with its lengths as they were. */
+/* S11: a corner is turned inwards. Its triangle lies on the others, and its edges keep their
+ * lengths. */
 static void S11_inverted_triangle(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(10, 10, 0.1, 0.3, 1), cloth_scene());
     mesh_problem found[MESH_PROBLEM_COUNT];
     char error[256];
     int corner = -1, of = 0;
-    /* A corner of the sheet that one triangle has. */
+    /* Finds a corner of the sheet that belongs to one triangle only. */
     for (int i = 0; i < on.m.vertex_count; i++) {
         int triangles = 0, last = 0;
         for (int t = 0; t < on.m.triangle_count; t++)
@@ -224,7 +225,7 @@ static void S11_inverted_triangle(void **state) {
     assert_int_equal(mesh_check(&on.m, found), 0);
     assert_int_equal(found[MESH_FLIPPED].count, 0);
     for (int p = 0; p < 3; p++)
-        if (on.m.triangle[of][p] == corner) /* to the other side of the edge across */
+        if (on.m.triangle[of][p] == corner) /* moves it to the other side of the opposite edge */
             for (int a = 0; a < 3; a++)
                 on.m.position[corner][a] = on.m.position[on.m.triangle[of][(p + 1) % 3]][a] +
                                            on.m.position[on.m.triangle[of][(p + 2) % 3]][a] -
@@ -246,8 +247,8 @@ static void scale_material(mesh *m, double u, double v) {
     }
 }
 
-/* S13. No material coordinates, coordinates of another unit, mirrored ones. What these sheets do
- * comes from a push at the start. Without coordinates each triangle has its own weave, along an
+/* S13: sheets without material coordinates, with coordinates in another unit, and mirrored. A push
+ * at the start moves them. Without coordinates each triangle has a weave of its own, along an
  * edge. */
 static void S13_material_coordinates(void **state) {
     (void)state;
@@ -285,7 +286,8 @@ static void S13_material_coordinates(void **state) {
         stage_end(&run[k]);
 }
 
-/* S30. An edge of three triangles, a triangle twice, one with a vertex twice, a lone vertex. */
+/* S30: an edge of three triangles, a triangle twice, a triangle with a vertex twice, and a vertex
+ * without triangles. */
 static void S30_bad_topology(void **state) {
     (void)state;
     const double material[6][2] = {{0, 0}, {0, 1}, {1, 0.5}, {-1, 0.5}, {-0.9, 0.4}, {7, 7}};
@@ -314,7 +316,7 @@ static void S30_bad_topology(void **state) {
     mesh_free(&on.m);
 }
 
-/* What is no mesh is refused, and said to be so. */
+/* Data that are no mesh are refused with a message. */
 static void S30_no_mesh(void **state) {
     (void)state;
     const double material[3][2] = {{0, 0}, {0, 1}, {1, 0.5}};
@@ -335,7 +337,8 @@ static void S30_no_mesh(void **state) {
     cloth_free(&m);
 }
 
-/* A ribbon 0.8 m wide of triangles 1 mm high: 800:1. Held at one end it swings down. */
+/* Returns a ribbon 0.8 m wide of triangles 1 mm high, a ratio of 800:1. Held at one end it swings
+ * down. */
 static stage long_triangles(void) {
     enum { segments = 1000 };
     static pin hold = {.low = {-0.0005, -1}, .high = {0.0005, 1}};
@@ -365,9 +368,9 @@ static stage long_triangles(void) {
     return on;
 }
 
-/* What takes the conjugate gradients thousands of iterations is solved directly, where it is known
- * from the first failure on: iterations are spent on the few systems tried again, and the cloth
- * ends where it does when the scene asks for the direct solution. */
+/* Systems that would take the conjugate gradients thousands of iterations are solved directly,
+ * after the first failure has shown this. Iterations are spent only on the few systems that are
+ * tried again. The cloth ends where it does if the scene requests the direct solution. */
 static void S40_ribbon_of_800_to_1(void **state) {
     (void)state;
     enum { steps = 100 };
@@ -389,7 +392,7 @@ static void S40_ribbon_of_800_to_1(void **state) {
         f.solved_directly, simulation_counts(on.sim).iterations, stage_distance(&on, &direct, NULL),
         f.greatest_strain, simulation_counts(on.sim).rejected);
     stage_assert_finite(&on);
-    assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st is tried again */
+    assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st system is tried again */
     assert_int_equal(f.not_solved, 0);
     assert_in_range(simulation_counts(on.sim).iterations, 0, 3L * on.s.solution.max_iterations);
     assert_below(stage_distance(&on, &direct, NULL), 1e-4);
@@ -400,8 +403,8 @@ static void S40_ribbon_of_800_to_1(void **state) {
 enum { around = 24, rings = 9 };
 static const double tube_radius = 0.05, tube_length = 0.2; /* m */
 
-/* A tube along z with open ends, of quadrilaterals in two; with a slit along one side or without.
- */
+/* Returns a tube along z with open ends, of quadrilaterals divided in two, with or without a slit
+ * along one side. */
 static mesh tube(int has_slit) {
     double material[around * rings][2];
     int triangle[2 * around * (rings - 1)][3], count = 0;
@@ -442,7 +445,7 @@ static scene of_tubes(void) {
     return s;
 }
 
-/* The greatest and the least distance from the axis, m. */
+/* Computes the greatest and the least distance from the axis, m. */
 static void radii(const stage *on, double *least, double *most) {
     *least = INFINITY;
     *most = 0;
@@ -453,8 +456,8 @@ static void radii(const stage *on, double *least, double *most) {
     }
 }
 
-/* A slit tube whose angles are at rest stays as it is, to the rounding; one of cloth that is flat
- * at rest unrolls. */
+/* A slit tube that is bent at rest keeps its shape up to rounding. A tube of cloth that is flat at
+ * rest unrolls. */
 static void S41_tube_keeps_its_shape(void **state) {
     (void)state;
     double least, most;
@@ -476,15 +479,15 @@ static void S41_tube_keeps_its_shape(void **state) {
     stage_end(&flat);
 }
 
-/* Squeezed to an ellipse a closed one goes back to its circle. */
+/* A closed tube that was squeezed to an ellipse returns to its circle. */
 static void S41_tube_springs_back(void **state) {
     (void)state;
     double least, most;
     stage on = stage_of(tube(0), of_tubes());
     on.m.bent_at_rest = 1;
-    on.s.monitor.energy = 1e300; /* the test squeezes it by hand */
+    on.s.monitor.energy = 1e300; /* the monitor does not know that the test squeezes the tube */
     stage_begin(&on);
-    for (int i = 0; i < on.m.vertex_count; i++) { /* an ellipse of about the same length */
+    for (int i = 0; i < on.m.vertex_count; i++) { /* an ellipse of about the same circumference */
         on.sim->state.x[i][0] *= 1.35;
         on.sim->state.x[i][1] *= 0.5;
     }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The monitor's verdicts, how long a step is, and what a step of each integrator gives, each by
- * itself. */
+/* The monitor's verdicts, the length of a step, and the results of a step of each integrator, each
+ * alone. */
 #include "stage.h"
 
 #include <string.h>
 
 static collider plane = {.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.005};
 
-/* The monitor's verdict on a step that ends with this cloth, of any energy. */
+/* Returns the monitor's verdict on a step that ends with this cloth, of any energy. */
 static monitor_verdict verdict_on(stage *on, int passing, int shortest) {
     simulation *sim = on->sim;
     monitored_step step = simulation_monitored(sim);
@@ -32,7 +32,7 @@ static void test_monitor(void **state) {
                          NULL);
     memcpy(x, on.m.position, bytes);
     assert_int_equal(verdict_on(&on, 0, 0), STEP_GOOD);
-    /* Strain: by much and to much. */
+    /* Strain: large but permitted, and too large. */
     for (int i = 0; i < on.m.vertex_count; i++)
         x[i][0] = 1.7 * on.m.position[i][0];
     assert_int_equal(verdict_on(&on, 0, 0), STEP_GOOD);
@@ -43,7 +43,7 @@ static void test_monitor(void **state) {
     monitor_accept(&on.sim->monitor);
     assert_int_equal(simulation_faults(on.sim).strain, 1);
     assert_near(simulation_faults(on.sim).greatest_strain, 1.2, 1e-12);
-    /* Penetration: deep and deeper than before. */
+    /* Penetration: deep, and deeper than before. */
     memcpy(x, on.m.position, bytes);
     x[3][2] = -1.05;
     on.s.monitor.growth = 1e300;
@@ -61,8 +61,8 @@ static void test_monitor(void **state) {
     stage_end(&on);
 }
 
-/* Little gained in each step is not much, but in all steps it is: none may end with more than all
- * of them were given. */
+/* A small gain in each step is permitted, but not the sum of many: no state may have more energy
+ * than all steps together were given. */
 static void test_gains_add_up(void **state) {
     (void)state;
     collider below = plane;
@@ -77,7 +77,7 @@ static void test_gains_add_up(void **state) {
     for (int i = 0; i < on.m.vertex_count; i++)
         sim->state.v[i][0] = 1;
     stage_changed(&on);
-    const double parts[3] = {1.05, 0.5, 0.59}; /* of the first energy, one after the other */
+    const double parts[3] = {1.05, 0.5, 0.59}; /* parts of the initial energy, in succession */
     for (int n = 0; n < 3; n++) {
         for (int i = 0; i < on.m.vertex_count; i++)
             sim->step.v_next[i][0] = sqrt(parts[n]);
@@ -96,8 +96,9 @@ static void test_gains_add_up(void **state) {
     stage_end(&on);
 }
 
-/* What passes in 32 of the shortest steps in a row is no reason to halve one of twice the length,
- * and so on; strain goes on being one, and one step in which nothing passes begins anew. */
+/* If halving did not prevent passing in 32 of the shortest steps in a row, passing is no longer a
+ * reason to halve steps of twice the length, and so on. Strain remains a reason. One step in which
+ * nothing passes resets the count. */
 static void test_futile_halving(void **state) {
     (void)state;
     stage on = stage_with(&plane);
@@ -135,7 +136,7 @@ static void test_futile_halving(void **state) {
     stage_end(&on);
 }
 
-/* The midpoint rule lands on a plane and stays there. */
+/* With the midpoint rule cloth lands on a plane and stays there. */
 static void test_midpoint_does_not_bounce(void **state) {
     (void)state;
     collider ground = plane;
@@ -158,7 +159,7 @@ static void test_midpoint_does_not_bounce(void **state) {
     stage_end(&on);
 }
 
-/* BDF2 is exact for free fall, also where a step has another length than the one before. */
+/* BDF2 is exact for free fall, also if a step's length differs from the previous one. */
 static void test_bdf2_of_unequal_steps(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.2, 3), cloth_scene());
@@ -177,13 +178,14 @@ static void test_bdf2_of_unequal_steps(void **state) {
     stage_end(&on);
 }
 
-/* Cloth of slivers, on which the conjugate gradients give up: solved directly, and that is told. */
+/* Cloth of slivers, on which the conjugate gradients fail, is solved directly, and this is
+ * reported. */
 static void test_fallback_to_direct_solution(void **state) {
     (void)state;
     stage on = stage_of_slivers();
     stage_begin(&on);
     stage_run(&on, 3);
-    double left[3] = {0, 0, 0}, size = 0; /* the pins' impulses make up for what momentum lacks */
+    double left[3] = {0, 0, 0}, size = 0; /* the pins' impulses account for the missing momentum */
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int a = 0; a < 3; a++) {
             const double mass = on.sim->cloth.mass[i], h = on.sim->step.h;
@@ -201,7 +203,7 @@ static void test_fallback_to_direct_solution(void **state) {
     stage_end(&on);
 }
 
-/* A halved step becomes whole again. */
+/* A halved step returns to its full length. */
 static void test_step_grows_again(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.2, 3), cloth_scene());

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** cmocka in its required order, and comparisons that tell the numbers when they fail. */
+/** cmocka's headers in the required order, and comparisons that print the numbers when they fail.
+ */
 #ifndef FABRIC_TEST_CHECK_H
 #define FABRIC_TEST_CHECK_H
 

@@ -9,7 +9,7 @@ double random_number(unsigned *state) {
     return (double)(*state >> 8) / (double)(1u << 23) - 1.0;
 }
 
-/* Writes the hinge of two triangles with a common edge; 0 if they have none. */
+/* Writes the hinge of two triangles with a common edge. Returns 0 if they have none. */
 static int common_edge(const int a[3], const int b[3], int hinge[4]) {
     for (int p = 0; p < 3; p++)
         for (int q = 0; q < 3; q++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The barrier's parts, each against a slow computation that shares nothing with it. */
+/* The barrier's parts, each compared with a slow independent computation. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 #include "cloth.h"
 #include "contact/barrier_system.h"
 
-/* The least distance of two features by looking at many points of both. */
+/* Returns the least distance of two features, by sampling many points of both. */
 static double sampled_distance(int is_edges, const double x[4][3]) {
     enum { parts = 60 };
     double least = INFINITY;
@@ -25,7 +25,8 @@ static double sampled_distance(int is_edges, const double x[4][3]) {
     return least;
 }
 
-/* Four points in a cube of 2 m, some of them flat, parallel, or in one place. */
+/* Draws four points in a cube of 2 m; in some kinds they are coplanar, parallel, or in one
+ * position. */
 static void random_points(unsigned *seed, int kind, double x[4][3]) {
     for (int k = 0; k < 4; k++)
         for (int a = 0; a < 3; a++)
@@ -33,10 +34,10 @@ static void random_points(unsigned *seed, int kind, double x[4][3]) {
     if (kind == 1) /* parallel edges */
         for (int a = 0; a < 3; a++)
             x[3][a] = x[2][a] + 0.7 * (x[1][a] - x[0][a]);
-    if (kind == 2) /* all in a plane */
+    if (kind == 2) /* coplanar points */
         for (int k = 0; k < 4; k++)
             x[k][2] = 0;
-    if (kind == 3) /* no length, no area */
+    if (kind == 3) /* an edge without length, a triangle without area */
         memcpy(x[2], x[3], sizeof x[2]);
 }
 
@@ -61,7 +62,7 @@ static void nearest_points(void **state) {
         }
 }
 
-/* A barrier of one pair, or of one triangle above a plane and a ball's surface. */
+/* Returns a barrier with one pair, or with one triangle above a plane and a ball. */
 static barrier one_pair(barrier_pair *pair, mesh *m, scene *s, int *owner) {
     barrier b = {.scene = s, .cloth = m, .surface = *m, .stiffness = 2e-3, .slip_speed = 0.1};
     b.collider = owner;
@@ -70,7 +71,8 @@ static barrier one_pair(barrier_pair *pair, mesh *m, scene *s, int *owner) {
     return b;
 }
 
-/* No part of a way is allowed on which a sample passes, and half of what is free is allowed. */
+/* No part of a way may be allowed in which a sampled point passes, but at least half of the free
+ * part must be allowed. */
 static void parts_of_ways_do_not_pass(void **state) {
     enum { samples = 2000 };
     unsigned seed = 9;
@@ -103,13 +105,14 @@ static void parts_of_ways_do_not_pass(void **state) {
         assert_true(part > 0 && part <= 1);
         assert_true(least > 0.05 * first);
         cut += part < 1;
-        if (part < 1) /* it is not cut long before it is near */
+        if (part < 1) /* the way is not shortened long before features are near */
             assert_below(least, 0.5 * first + 1e-3);
     }
     assert_in_range(cut, 20, 280);
 }
 
-/* One vertex alone comes 3 times as far as the other feature is away: it is cut before. */
+/* One vertex alone would move 3 times as far as the other feature is away: its way must be
+ * shortened. */
 static void each_vertex_is_cut(void **state) {
     (void)state;
     for (int is_edges = 0; is_edges < 2; is_edges++)
@@ -125,7 +128,7 @@ static void each_vertex_is_cut(void **state) {
                 memcpy(x, edges, sizeof x);
             else
                 memcpy(x[0], (double[3]){x[mover][0], x[mover][1], 0.1}, sizeof x[0]);
-            /* The edges' meeting ends are the ones that may move. */
+            /* The edges' ends that meet are those that may move. */
             if (is_edges && mover % 2 == 1)
                 for (int a = 0; a < 2; a++) {
                     x[2 * (1 - mover / 2)][a] = x[mover][a];
@@ -139,8 +142,8 @@ static void each_vertex_is_cut(void **state) {
         }
 }
 
-/* However often a vertex wants through a triangle, it stays on its side, and a millionth of its
- * reach away. */
+/* However often a vertex is moved towards a triangle, it must stay on its side, at least a
+ * millionth of its reach away. */
 static void many_ways_do_not_pass(void **state) {
     double x[4][3] = {{0.3, 0.3, 0.01}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const double way[4][3] = {{0.1, 0, -1}};
@@ -158,7 +161,7 @@ static void many_ways_do_not_pass(void **state) {
     assert_below(x[0][2], 1.01e-7);
 }
 
-/* Edges that are exactly parallel have no energy: their nearest points are not unique. */
+/* Exactly parallel edges have no energy, since their nearest points are not unique. */
 static void parallel_edges_do_not_push(void **state) {
     (void)state;
     for (int parallel = 0; parallel < 2; parallel++) {
@@ -173,12 +176,13 @@ static void parallel_edges_do_not_push(void **state) {
         x[3][1] = parallel ? 0 : x[3][1];
         const barrier b = one_pair(&pair, &m, &s, owner);
         const double energy = barrier_energy(&b, (const double(*)[3])x);
-        /* stiffness ln 2 / 4 at half of the reach */
+        /* stiffness * ln 2 / 4, at half of the reach */
         assert_near(energy, parallel ? 0 : 2e-3 * log(2) / 4, 1e-15);
     }
 }
 
-/* The elements' gradient and Hessian of one pair against differences. kind 3: nearly parallel. */
+/* Compares the gradient and Hessian of one pair with differences of the energy. kind 3: nearly
+ * parallel edges. */
 static void compare_pair(int kind, double reach, double slip, unsigned *seed) {
     double x[4][3], begin[4][3], gradient[4][3] = {{0}};
     int owner[4] = {-1, -1, -1, -1};
@@ -244,8 +248,8 @@ static int by_bytes(const void *a, const void *b) {
     return memcmp(a, b, sizeof(barrier_pair));
 }
 
-/* Pairs found among the candidates of an earlier search are those of a new search: a wavy sheet, a
- * ball and a floor; vertices move at random. */
+/* Pairs found among the candidates of an earlier search must be those of a new search. A wavy
+ * sheet, a ball and a floor; vertices move at random. */
 static void kept_candidates_miss_no_pair(void **state) {
     unsigned seed = 3;
     char error[256];
@@ -297,7 +301,8 @@ static void kept_candidates_miss_no_pair(void **state) {
     cloth_free(&m);
 }
 
-/* A sheet folded in two, the halves 6 mm apart: many pairs of edges are nearly parallel. */
+/* Returns a sheet folded in two, with halves 6 mm apart: many pairs of edges are nearly
+ * parallel. */
 static mesh folded_sheet(void) {
     mesh m = cloth_sheet(6, 6, 0.04, 0.2, 3);
     for (int i = 0; i < m.vertex_count; i++) {
@@ -308,7 +313,7 @@ static mesh folded_sheet(void) {
     return m;
 }
 
-/* What is near at the end of the way is listed where it begins. */
+/* Pairs that are near at the end of the way must be listed at its beginning. */
 static void pairs_on_the_way_are_listed(void **state) {
     unsigned seed = 21;
     char error[256];
@@ -347,7 +352,7 @@ static void pairs_on_the_way_are_listed(void **state) {
     cloth_free(&m);
 }
 
-/* The matrix of the system times y, and the right side, are the sums over the elements. */
+/* The system's matrix times y, and the right side, must be sums over the elements. */
 static void systems_are_sums_of_elements(void **state) {
     enum { vertices = 36 };
     const double h = 0.01;
@@ -417,7 +422,8 @@ static int take_crossing(void *to, const barrier *b, const barrier_crossing *fou
     return 1;
 }
 
-/* An edge goes through a triangle, one end 1 mm beyond its plane and the other 5 mm. */
+/* An edge passes through a triangle. One end is 1 mm beyond the triangle's plane, the other 5
+ * mm. */
 static void crossings_know_the_nearer_end(void **state) {
     static const double material[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {3, 0}, {2, 1}};
     static const int triangle[2][3] = {{0, 1, 2}, {3, 4, 5}};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Shapes, swept paths, contact and friction. */
+/* Shapes, swept paths, contact and friction. Numbers such as S28 refer to
+ * docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -22,7 +23,7 @@ static collider shapes[] = {
 };
 enum { shape_count = sizeof shapes / sizeof shapes[0] };
 
-/* A box of the given half edges. */
+/* Returns a box with the given half edges. */
 static surface *box_of_triangles(const double half[3]) {
     static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                    {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -66,7 +67,8 @@ static double distance(const collider *k, const double p[3]) {
     return shape_distance(k, p, normal);
 }
 
-/* The normal is the distance's gradient: unit, and right by differences (but at creases). */
+/* The normal is the distance's gradient: a unit vector that agrees with differences, except at
+ * creases. */
 static void test_normal_is_the_gradient(void **state) {
     (void)state;
     unsigned seed = 1;
@@ -91,8 +93,8 @@ static void test_normal_is_the_gradient(void **state) {
         }
 }
 
-/* A mesh of a box against the box: at any point the same distance, and (away from creases) normal.
- */
+/* A box as a mesh has the same distance as the box at any point and, away from creases, the same
+ * normal. */
 static void test_mesh_is_the_box(void **state) {
     (void)state;
     unsigned seed = 5;
@@ -107,8 +109,8 @@ static void test_mesh_is_the_box(void **state) {
     }
 }
 
-/* Against the dumb oracle, the least distance to points spread over all triangles of a bumpy ball;
- * and the sign, by the ball. */
+/* The distance to a bumpy ball is compared with the least distance to points spread over all its
+ * triangles, and the sign with that of the ball. */
 static void test_mesh_distance(void **state) {
     (void)state;
     enum { around = 24, down = 12, vertices = around * (down - 1) + 2 };
@@ -171,7 +173,7 @@ static void test_mesh_distance(void **state) {
     surface_free(s);
 }
 
-/* Known points. */
+/* Points with known distances. */
 static void test_distances(void **state) {
     (void)state;
     const double origin[3] = {0, 0, 0}, above[3] = {0, 0, 2}, corner[3] = {3.5, 4.3, 0};
@@ -189,8 +191,8 @@ static void test_distances(void **state) {
     }
 }
 
-/* S28. Against the dumb oracle: the path in a thousand small steps. Whoever is kept outside of the
- * plane found never comes nearer than the gap, and no path is stopped that stays clear. */
+/* S28: compared with the path in a thousand small steps. A point kept outside of the plane found
+ * must never come nearer than the gap, and no path that stays clear may be stopped. */
 static void S28_no_path_gets_through(void **state) {
     (void)state;
     unsigned seed = 2;
@@ -213,7 +215,7 @@ static void S28_no_path_gets_through(void **state) {
             const int touched = shape_approach(&shapes[s], p, u, &found);
             if (least < 0.01)
                 assert_true(touched);
-            /* A long path close along a surface may be taken for a touch. */
+            /* A long path close to a surface may count as a touch. */
             grazing += least > 0.0111 && touched && found.beyond > 0;
             if (!touched)
                 continue;
@@ -227,7 +229,7 @@ static void S28_no_path_gets_through(void **state) {
     assert_in_range(grazing, 0, 2);
 }
 
-/* A cloth that lies on a slope of the given angle: a plane, with gravity turned instead. */
+/* A cloth on a slope of the given angle: a plane, with gravity turned instead. */
 typedef struct slope {
     mesh m;
     scene s;
@@ -268,7 +270,8 @@ static double mean_speed(const simulation *sim, int vertices) {
     return sum / vertices;
 }
 
-/* Coulomb: below the friction angle cloth stays, above it slides with g (sin - mu cos). */
+/* Coulomb's law: below the friction angle the cloth stays at rest; above it the cloth slides with
+ * an acceleration of g (sin - mu cos). */
 static void test_friction(void **state) {
     (void)state;
     const double angle = 0.5;
@@ -292,7 +295,7 @@ static void test_friction(void **state) {
     slope_end(&on);
 }
 
-/* Cloth at rest on the plane hangs by nothing when gravity is turned round. */
+/* Cloth at rest on the plane must not stick to it when gravity is reversed. */
 static void test_contact_does_not_hold_back(void **state) {
     (void)state;
     slope on;
@@ -322,7 +325,8 @@ static void test_moving_collider_carries(void **state) {
     slope_end(&on);
 }
 
-/* S29: a pin and a wedge of two planes on one vertex, and three planes: finite, and outside. */
+/* S29: a pin and a wedge of two planes at one vertex, and three planes at one vertex: positions
+ * stay finite and outside. */
 static void S29_many_contacts_at_once(void **state) {
     (void)state;
     char error[256];
@@ -359,7 +363,7 @@ static void S29_many_contacts_at_once(void **state) {
     cloth_free(&m);
 }
 
-/* Near a sharp edge or tip the nearest face alone may have its normal on the wrong side. */
+/* Near a sharp edge or tip the normal of the nearest face alone may point to the wrong side. */
 static void test_tip_is_outside(void **state) {
     (void)state;
     enum { around = 16 };
@@ -390,8 +394,8 @@ static void test_tip_is_outside(void **state) {
     surface_free(s);
 }
 
-/* A wedge of 20 degrees, anyhow in space: from anywhere before its edge the edge is nearest, and
- * the point outside, whichever of the two faces is asked. Rounding decides which that is. */
+/* A wedge of 20 degrees in any position. From all points in front of its edge the edge is nearest
+ * and the point is outside, whichever face is examined. Rounding decides which face that is. */
 static void test_edge_is_outside(void **state) {
     (void)state;
     unsigned seed = 11;
@@ -409,7 +413,7 @@ static void test_edge_is_outside(void **state) {
                 axes[n][a] /= length;
         }
         vector_cross(axes[0], axes[1], axes[2]);
-        for (int k = 0; k < 6; k++) { /* the edge, and two points behind it at either end */
+        for (int k = 0; k < 6; k++) { /* the edge, and two points behind each of its ends */
             flat[k][0] = k < 2 ? 0 : 1;
             flat[k][1] = k % 2 == 0 ? -2 : 2;
             flat[k][2] = k < 2 ? 0 : k < 4 ? tan(10 * acos(-1) / 180) : -tan(10 * acos(-1) / 180);
@@ -432,7 +436,7 @@ static void test_edge_is_outside(void **state) {
             for (int a = 0; a < 3; a++)
                 p[a] =
                     way * (cos(angle) * axes[0][a] + sin(angle) * axes[2][a]) + along * axes[1][a];
-            /* Before the edge: more than 10 degrees off both faces' normals, inwards. */
+            /* In front of the edge: more than 10 degrees from both faces' normals, inwards. */
             if (fabs(angle - acos(-1)) < 79 * acos(-1) / 180)
                 assert_near(surface_distance(s, p, normal), way, 1e-12);
         }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Forces and their derivatives against differences of the energies, and what must hold for any. */
+/* Forces and their derivatives are compared with differences of the energies, and must satisfy
+ * laws that hold for any energy. Numbers such as S01 refer to docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <float.h>
@@ -14,7 +15,7 @@
 #include "effects/hinge.h"
 #include "effects/triangle.h"
 
-/* A cloth with one material, and the system its forces go to. */
+/* A cloth with one material, and the system that its forces enter. */
 typedef struct bench {
     mesh m;
     int n;
@@ -60,7 +61,7 @@ static const double (*constant(double (*a)[3]))[3] {
     return (const double(*)[3])a;
 }
 
-/* A and b of the elements alone. */
+/* Computes A and b of the elements alone. */
 static void assemble(bench *b, double h, double (*x)[3], double (*v)[3]) {
     const double none[3] = {0, 0, 0};
     system_reset(&b->system, b->no_mass, none, h);
@@ -87,7 +88,7 @@ static double largest(const double *a, int n) {
     return most;
 }
 
-/* max |f + dE/dx| / max |f| by central differences. */
+/* Returns max |f + dE/dx| / max |f| by central differences. */
 static double force_error(bench *b, double (*x)[3]) {
     const double d = 1e-6;
     double worst = 0;
@@ -110,7 +111,7 @@ static double force_error(bench *b, double (*x)[3]) {
     return worst / size;
 }
 
-/* S01, each effect alone. */
+/* S01, for each effect alone: the force is the energy's gradient. */
 static void S01_forces_are_gradients(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -126,8 +127,8 @@ static void S01_forces_are_gradients(void **state) {
     bench_end(&b);
 }
 
-/* max |A_FD - A| / max |A|, where A_FD = -h^2 df/dx - h df/dv comes from differences of b at v = 0:
- * there b = h f. `of_velocity` differentiates in v instead, where b = h f(v). */
+/* Returns max |A_FD - A| / max |A|, where A_FD = -h^2 df/dx - h df/dv comes from differences of b
+ * at v = 0, where b = h f. If `of_velocity`, differentiates by v instead, where b = h f(v). */
 static double jacobian_error(bench *b, double (*x)[3], int of_velocity) {
     const int n = 3 * b->n;
     const double h = 1, d = 1e-6;
@@ -157,7 +158,7 @@ static double jacobian_error(bench *b, double (*x)[3], int of_velocity) {
     return worst / size;
 }
 
-/* Every triangle longer than at rest, in u and v. */
+/* Returns positions in which every triangle is longer than at rest, in u and v. */
 static double (*stretched(const mesh *m, double noise))[3] {
     double(*x)[3] = cloth_moved(m, noise, 11);
     for (int i = 0; i < m->vertex_count; i++)
@@ -166,7 +167,8 @@ static double (*stretched(const mesh *m, double noise))[3] {
     return x;
 }
 
-/* S02: stretch in tension, shear without slant, bend of a flat cloth and all damping are exact. */
+/* S02: the derivatives of stretch in tension, of shear without shear strain, of bending of a flat
+ * cloth and of all damping are exact. */
 static void S02_derivatives_are_exact(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -184,7 +186,8 @@ static void S02_derivatives_are_exact(void **state) {
     bench_end(&b);
 }
 
-/* b carries -(h^2 K) v besides h f: equation 4's h^2 df/dx v, with the matrix of A. */
+/* b contains -(h^2 K) v in addition to h f: the term h^2 df/dx v of equation 4, with the matrix of
+ * A. */
 static void test_right_side_looks_ahead(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -213,7 +216,7 @@ static void test_right_side_looks_ahead(void **state) {
     bench_end(&b);
 }
 
-/* S03. A's stored half is half of a symmetric matrix if its diagonal blocks are symmetric. */
+/* S03: half of a symmetric matrix is stored, so A is symmetric if its diagonal blocks are. */
 static void S03_diagonal_blocks_are_symmetric(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -234,7 +237,7 @@ static void S03_diagonal_blocks_are_symmetric(void **state) {
     bench_end(&b);
 }
 
-/* S04: turned by 0.7 about an axis and shifted. */
+/* S04: rotations by 0.7 and 0.4, and translation by up to 1e6 m, cause no forces. */
 static void S04_rigid_motion_makes_no_force(void **state) {
     (void)state;
     const double shift[3] = {0, 1e3, 1e6}, tolerance[3] = {1e-9, 1e-9, 1e-6};
@@ -256,7 +259,7 @@ static void S04_rigid_motion_makes_no_force(void **state) {
     bench_end(&b);
 }
 
-/* S05 */
+/* S05: the forces of the cloth's parts on each other sum to 0, and so do their torques. */
 static void S05_no_net_force_nor_torque(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -278,7 +281,7 @@ static void S05_no_net_force_nor_torque(void **state) {
     bench_end(&b);
 }
 
-/* A plus the least mass is positive definite. */
+/* Is A plus the least mass positive definite? */
 static int is_semidefinite(bench *b, double (*x)[3], double h) {
     assemble(b, h, x, b->rest);
     double *a = dense_of(&b->system.A);
@@ -291,7 +294,8 @@ static int is_semidefinite(bench *b, double (*x)[3], double h) {
     return !failed;
 }
 
-/* S09, and what would be without clamps: the exact derivative of the same forces is indefinite. */
+/* S09: under compression A is positive semidefinite, although the exact derivative of the forces is
+ * indefinite. */
 static void S09_matrix_is_semidefinite_under_compression(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -334,7 +338,8 @@ static void assert_finite(const bench *b) {
         assert_true(isfinite((&b->system.A.value[0][0][0])[k]));
 }
 
-/* S10: |w| = 0 in one direction, and in both. The push is k a |C's gradient|, no more. */
+/* S10: cloth collapsed to a line or a point has finite forces, up to a bound, and a finite matrix.
+ */
 static void S10_collapsed_cloth_is_finite(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -365,7 +370,7 @@ static bench bench_hinge(void) {
     return b;
 }
 
-/* S14: folded past 180 degrees the angle goes on, and with it energy and force. */
+/* S14: folded beyond 180 degrees, the angle continues to grow, and with it energy and force. */
 static void S14_angle_goes_on_past_the_fold(void **state) {
     (void)state;
     bench b = bench_hinge();
@@ -387,8 +392,8 @@ static void S14_angle_goes_on_past_the_fold(void **state) {
     bench_end(&b);
 }
 
-/* Angles that were found for the energy are the ones to go on with at the same positions, past the
- * fold as well, and at no others. */
+/* Angles computed for the energy are reused at the same positions, also beyond the fold, and only
+ * there. */
 static void test_angles_of_the_energy_are_kept(void **state) {
     (void)state;
     bench b = bench_hinge();
@@ -406,7 +411,7 @@ static void test_angles_of_the_energy_are_kept(void **state) {
         x[2][2] = sin(degree * step);
         const double ahead = hinge_energy_at(&b.hinges, &b.hinge, (const double(*)[3])x);
         assert_true(b.hinges.angle[0] == angle[degree + 1]);
-        if (degree % 3 == 0) { /* what was found for other positions is of no use */
+        if (degree % 3 == 0) { /* angles of other positions are not reused */
             x[2][0] = cos(degree * step + 1e-6);
             x[2][2] = sin(degree * step + 1e-6);
             hinge_update_angles(&b.hinges, (const double(*)[3])x);
@@ -422,7 +427,7 @@ static void test_angles_of_the_energy_are_kept(void **state) {
     bench_end(&b);
 }
 
-/* S15 */
+/* S15: the forces of a flat hinge are as small as the displacements of its vertices. */
 static void S15_flat_hinge_has_no_noise(void **state) {
     (void)state;
     bench b = bench_sheet();
@@ -434,7 +439,7 @@ static void S15_flat_hinge_has_no_noise(void **state) {
     bench_end(&b);
 }
 
-/* S16: a wing on the edge, and an edge without length. */
+/* S16: a hinge with a vertex on the edge that its triangles share, or with an edge of length 0. */
 static void S16_collapsed_hinge_is_finite(void **state) {
     (void)state;
     bench b = bench_hinge();
@@ -457,7 +462,7 @@ static void S16_collapsed_hinge_is_finite(void **state) {
     bench_end(&b);
 }
 
-/* S12: a triangle without area is left out, a sliver is not. */
+/* S12: a triangle without area is left out, but a sliver is not. */
 static void S12_triangles_without_area_are_left_out(void **state) {
     (void)state;
     const double material[5][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0.5, -1e-2}};
@@ -470,7 +475,7 @@ static void S12_triangles_without_area_are_left_out(void **state) {
     bench_end(&b);
 }
 
-/* A square metre in a wind of 2 m/s across it feels drag x area x speed. */
+/* The force on a square metre is drag x area x the wind's speed perpendicular to it, here 2 m/s. */
 static void test_drag_is_force_per_area(void **state) {
     (void)state;
     const double material[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -490,8 +495,8 @@ static void test_drag_is_force_per_area(void **state) {
     bench_end(&b);
 }
 
-/* With the same coefficient across and along the cloth, drag is the same in all directions, on a
- * sheet of any slope: force and derivative are those of each vertex' share of the area. */
+/* With one coefficient across and along the cloth, drag is the same in all directions, on a sheet
+ * of any slope. Force and derivative are those of each vertex's share of the area. */
 static void test_drag_along_makes_it_whole(void **state) {
     (void)state;
     const double none[3] = {0, 0, 0}, wind[3] = {3, -1, 2}, h = 0.5, drag = 0.3;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Integrators: their order against an explicit method of fourth order, their equation, what they
- * conserve. */
+/* Integrators: their order, compared with an explicit method of fourth order, their equations, and
+ * the quantities that they conserve. Numbers such as S07 refer to docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -20,7 +20,7 @@ typedef struct stage {
     simulation *sim;
 } stage;
 
-/* A soft sheet, bent and stretched a little, every force active. */
+/* Begins with a soft sheet, slightly bent and stretched, with every force active. */
 static void begin(stage *on, integrator_kind kind, double step) {
     char error[256] = "";
     unsigned seed = 3;
@@ -68,7 +68,8 @@ static scene soft_scene(void) {
     return s;
 }
 
-/* Force in N, of every effect, at x and v: the linear system for h = 1 without its derivatives. */
+/* Computes the force of every effect at x and v, N: the linear system for h = 1 without
+ * derivatives. */
 static void force_at(simulation *sim, vectors x, vectors v, vectors f) {
     static const vectors none;
     const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;
@@ -119,7 +120,7 @@ static double distance(const double (*a)[3], vectors b) {
 
 static const double duration = 0.08;
 
-/* Error after `duration` against the explicit method, in m. */
+/* Returns the error after `duration` relative to the explicit method, m. */
 static double error_of(const scene *of, integrator_kind kind, int steps, vectors exact) {
     stage on = {.s = *of};
     begin(&on, kind, duration / steps);
@@ -141,7 +142,7 @@ static void check_orders(const scene *of, vectors exact) {
     }
 }
 
-/* S31: halving the step divides the error by 2, or by 4. */
+/* S31: halving the step divides the error by 2, or by 4 with methods of order 2. */
 static void S31_orders(void **state) {
     (void)state;
     const scene soft = soft_scene();
@@ -154,7 +155,7 @@ static void S31_orders(void **state) {
     check_orders(&soft, x);
 }
 
-/* ... also where wind begins and ends within steps, at times that lie on no grid. */
+/* S31: the orders remain if wind begins and ends within steps. */
 static void S31_orders_across_events(void **state) {
     (void)state;
     const double times[] = {0, 0.0213, 0.0477, duration};
@@ -176,8 +177,8 @@ static void S31_orders_across_events(void **state) {
     check_orders(&gusty, x);
 }
 
-/* A step is cut at exactly the times at which something begins or ends, frames stay on their grid,
- * and an event on the grid cuts nothing. */
+/* A step is shortened to end exactly when something begins or ends. Frames keep their times, and an
+ * event at a frame's time shortens no step. */
 static void test_steps_end_at_events(void **state) {
     (void)state;
     scene gusty = soft_scene();
@@ -195,7 +196,7 @@ static void test_steps_end_at_events(void **state) {
     end(&on);
 }
 
-/* The step found satisfies M (v' - v) = h f(x', v'), x' = x + h v'. */
+/* The step found satisfies M (v' - v) = h f(x', v') and x' = x + h v'. */
 static void test_backward_euler_equation(void **state) {
     (void)state;
     const double h = 0.02;
@@ -234,8 +235,8 @@ static scene free_scene(void) {
     return s;
 }
 
-/* A free sheet without damping: backward Euler loses energy, BDF2 less, the midpoint next to none.
- */
+/* A free sheet without damping: backward Euler loses energy, BDF2 loses less, and the midpoint rule
+ * almost none. */
 static void test_energy(void **state) {
     (void)state;
     double lost[4];
@@ -264,14 +265,15 @@ static void momenta(const simulation *sim, double linear[3], double angular[3]) 
     }
 }
 
-/* S07: the midpoint conserves angular momentum, backward Euler in proportion to the step. */
+/* S07: the midpoint rule conserves angular momentum; with backward Euler the loss is proportional
+ * to the step. */
 static void S07_angular_momentum(void **state) {
     (void)state;
     double drift[4];
     for (int n = 0; n < 4; n++) {
         const int steps = n % 2 == 0 ? 20 : 40;
         stage on = {.s = free_scene()};
-        on.s.monitor.energy = 1e300; /* the spin is put in behind the monitor's back */
+        on.s.monitor.energy = 1e300; /* the monitor does not know of this spin */
         begin(&on, n < 2 ? INTEGRATOR_EULER : INTEGRATOR_MIDPOINT, 0.04 / steps);
         for (int i = 0; i < COUNT; i++) {
             const double spin[3] = {0.3, 0.2, 5};
@@ -290,7 +292,7 @@ static void S07_angular_momentum(void **state) {
     assert_below(drift[3], 1e-9);
 }
 
-/* The damping forces alone are what the linearised ones are without stiffness. */
+/* The damping forces alone equal the linearised forces without stiffness. */
 static void test_damping_forces(void **state) {
     (void)state;
     const double h = 0.01;
@@ -316,7 +318,7 @@ static void test_damping_forces(void **state) {
     end(&on);
 }
 
-/* Every integrator, with pins that move and a ball in the way, at a large step: pins are exact and
+/* Every integrator, with moving pins and a ball in the way, at a large step: pins are exact and
  * nothing enters the ball. */
 static void test_pins_and_contacts(void **state) {
     (void)state;

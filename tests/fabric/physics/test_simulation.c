@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Whole steps: what a cloth must do whatever the details. */
+/* Whole steps: laws that every cloth must satisfy. Numbers such as S06 refer to
+ * docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 #include "base/vector.h"
 #include "stage.h"
 
-/* S24: v = -g t, and after the first step nothing is left to iterate. */
+/* S24: in free fall v = -g t, and the solver needs at most one iteration per step. */
 static void S24_free_fall(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
@@ -26,7 +27,7 @@ static void S24_free_fall(void **state) {
     stage_end(&on);
 }
 
-/* S06: inner forces move nothing; as exact as the solution of the system. */
+/* S06: inner forces do not change the momentum, up to the tolerance of the solver. */
 static void S06_momentum_is_kept(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
@@ -73,7 +74,7 @@ static void S08_energy_does_not_grow(void **state) {
     stage_end(&on);
 }
 
-/* S10: collapsed to a line and to a point, cloth unfolds. */
+/* S10: cloth collapsed to a line or a point unfolds. */
 static void S10_collapsed_sheet_recovers(void **state) {
     (void)state;
     for (int to_point = 0; to_point < 2; to_point++) {
@@ -100,7 +101,7 @@ static void S10_collapsed_sheet_recovers(void **state) {
     }
 }
 
-/* S22: pins, at rest and moving, are exactly where they belong. */
+/* S22: pins, at rest and moving, are exactly in their prescribed positions. */
 static void S22_pins_are_exact(void **state) {
     (void)state;
     pin pins[2] = {{.low = {-0.01, -0.01}, .high = {0.01, 0.51}, .velocity = {0, 0, 0}},
@@ -128,7 +129,7 @@ static void S22_pins_are_exact(void **state) {
     stage_end(&on);
 }
 
-/* S24, S27: on a ball cloth comes to rest and stays there. */
+/* S24, S27: cloth on a ball comes to rest and stays there. */
 static void test_cloth_comes_to_rest(void **state) {
     (void)state;
     collider ball = {.kind = COLLIDER_SPHERE,
@@ -148,7 +149,8 @@ static void test_cloth_comes_to_rest(void **state) {
     for (int i = 0; i < on.m.vertex_count; i++)
         sum += vector_dot(on.sim->state.v[i], on.sim->state.v[i]);
     assert_below(sqrt(sum / on.m.vertex_count), 1e-3);
-    /* At rest the right side is next to nothing; a tolerance relative to it alone asks too much. */
+    /* At rest the right side is almost 0, so a tolerance relative to it alone would never be
+     * reached. */
     const long before = simulation_counts(on.sim).iterations;
     stage_run(&on, 100);
     assert_below((double)(simulation_counts(on.sim).iterations - before), 100 * 10);
@@ -158,7 +160,7 @@ static void test_cloth_comes_to_rest(void **state) {
     stage_end(&on);
 }
 
-/* An effect that does nothing changes no bit: a collider far away, drag and bend of 0. */
+/* An effect without influence changes no bit: a distant collider, and drag and bend of 0. */
 static void test_far_collider_changes_no_bit(void **state) {
     (void)state;
     collider far = {.kind = COLLIDER_SPHERE, .position = {100, 0, 0}, .size = {1}, .gap = 0.01};
@@ -169,7 +171,7 @@ static void test_far_collider_changes_no_bit(void **state) {
     with.s.pin_count = without.s.pin_count = 1;
     with.s.colliders = &far;
     with.s.collider_count = 1;
-    with.s.surroundings.wind[0] = 3; /* no drag: no wind */
+    with.s.surroundings.wind[0] = 3; /* without drag wind has no effect */
     stage_begin(&with);
     stage_begin(&without);
     stage_run(&with, 30);
@@ -180,7 +182,8 @@ static void test_far_collider_changes_no_bit(void **state) {
     stage_end(&without);
 }
 
-/* No bending, no hinge blocks; no force between vertices, no blocks but the diagonal. */
+/* Without bending the matrix has no blocks for hinges, and without forces between vertices only
+ * diagonal blocks. */
 static void test_matrix_follows_the_effects(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
@@ -211,7 +214,7 @@ static void test_matrix_follows_the_effects(void **state) {
     stage_end(&on);
 }
 
-/* S20: a vertex of no triangle stays where it is, and hurts nobody. */
+/* S20: a vertex without triangles stays where it is and does not affect the others. */
 static void S20_lone_vertex_is_held(void **state) {
     (void)state;
     const double material[4][2] = {{0, 0}, {1, 0}, {0, 1}, {5, 5}};

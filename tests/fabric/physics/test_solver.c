@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Conjugate gradients within constraints, against elimination; and what stops them. */
+/* Conjugate gradients with constraints are compared with elimination. Also tests the conditions
+ * that stop them. Numbers such as S21 refer to docs/fabric-hard-cases.md. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -22,8 +23,8 @@ typedef struct problem {
     long iterations;
 } problem;
 
-/* A symmetric, diagonally dominant matrix with a sheet's layout, and a right side. Vertex v of the
- * sheet is number v stride modulo the count. */
+/* Returns a symmetric, diagonally dominant matrix with a sheet's layout, and a right side. Vertex v
+ * of the sheet gets the number v * stride modulo the count. */
 static problem problem_of(mesh sheet, int stride, unsigned seed) {
     problem p = {.m = sheet, .n = sheet.vertex_count};
     for (int h = 0; h < p.m.hinge_count; h++)
@@ -68,7 +69,8 @@ static solver_status solve(problem *p) {
     return solver_solve(&p->solver, &p->system, &p->constraints, &p->limits, p->dv, &p->iterations);
 }
 
-/* dv = y + z where (S A S + I - S) y = S (b - A z), by elimination (Tamstorf et al. 2015). */
+/* Returns dv = y + z, where (S A S + I - S) y = S (b - A z) is solved by elimination (Tamstorf et
+ * al. 2015). S projects onto the free directions, and z is the prescribed part. */
 static double *oracle(const problem *p) {
     const int n = 3 * p->n;
     double *a = dense_of(&p->system.A);
@@ -109,7 +111,7 @@ static double *oracle(const problem *p) {
     return dv;
 }
 
-/* Gives 0 to 3 directions of each vertex of which i % every == 0. */
+/* Prescribes 0 to 3 directions of each vertex with i % every == 0. */
 static void constrain(problem *p, int every, unsigned seed) {
     for (int i = 0; i < p->n; i += every) {
         double d[3][3], change[3];
@@ -124,7 +126,7 @@ static void constrain(problem *p, int every, unsigned seed) {
     }
 }
 
-/* S21: none, some, all constrained. */
+/* S21: no vertex, some or all are constrained. */
 static void S21_agrees_with_elimination(void **state) {
     (void)state;
     for (int every = 0; every < 4; every++) {
@@ -140,7 +142,7 @@ static void S21_agrees_with_elimination(void **state) {
     }
 }
 
-/* What is left is below the tolerance, in the norm that it is meant in. */
+/* The residual is below the tolerance, in the norm to which the tolerance refers. */
 static void test_reaches_the_tolerance(void **state) {
     (void)state;
     for (int n = 1; n <= 8; n++) {
@@ -164,7 +166,7 @@ static void choose(problem *p, preconditioner_kind kind, solver_precision precis
         fail_msg("%s", error);
 }
 
-/* |b - A z| on the free directions, which a relative tolerance goes by. */
+/* Returns |b - A z| on the free directions, to which a relative tolerance refers. */
 static double reference_of(problem *p) {
     double reference;
     double(*copy)[3] = malloc(sizeof *copy * (size_t)p->n);
@@ -174,7 +176,7 @@ static double reference_of(problem *p) {
     return reference;
 }
 
-/* How far dv is off what is given: |(I - S) dv - z| at most. */
+/* Returns the largest deviation of dv from the prescribed values, |(I - S) dv - z|. */
 static double off_given(const problem *p) {
     double worst = 0;
     for (int i = 0; i < p->n; i++)
@@ -187,9 +189,9 @@ static double off_given(const problem *p) {
     return worst;
 }
 
-/* Every preconditioner in every precision finds the same, constrained or not: within what the
- * stopping rule promises, r' M^-1 r <= (tolerance reference)^2 with M near 40 and A's eigenvalues
- * above 10, and what is given exactly. */
+/* Every preconditioner in every precision finds the same solution, constrained or not, within the
+ * stopping rule r' M^-1 r <= (tolerance reference)^2. Here M is near 40 and A's eigenvalues are
+ * above 10. Prescribed values are exact. */
 static void test_preconditioners_agree_with_elimination(void **state) {
     (void)state;
     for (int kind = PRECONDITIONER_GAUSS_SEIDEL; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
@@ -221,8 +223,8 @@ static void test_preconditioners_agree_with_elimination(void **state) {
             }
 }
 
-/* Gauss-Seidel on a mesh of several domains, where neighbours have near numbers and where they have
- * none: then there are blocks between domains that are swept at the same time. */
+/* Gauss-Seidel on a mesh of several domains, whose neighbours have near numbers or distant ones.
+ * With distant ones there are blocks between domains that are swept at the same time. */
 static void test_gauss_seidel_in_domains(void **state) {
     (void)state;
     long iterations[2];
@@ -242,19 +244,18 @@ static void test_gauss_seidel_in_domains(void **state) {
             problem_end(&p);
         }
     assert_in_range(iterations[0], 5, 40);
-    assert_true(iterations[1] >=
-                iterations[0]); /* what is left between them is not preconditioned */
+    assert_true(iterations[1] >= iterations[0]); /* blocks between domains are not preconditioned */
 }
 
-/* A better preconditioner takes fewer iterations, and the incomplete factor of a matrix with all
- * blocks is the whole one: one iteration. */
+/* A better preconditioner takes fewer iterations. The incomplete factor of a matrix with all blocks
+ * is the complete one, which takes one iteration. */
 static void test_preconditioners_are_of_use(void **state) {
     (void)state;
     long iterations[PRECONDITIONER_INCOMPLETE_CHOLESKY + 1];
     for (int kind = PRECONDITIONER_GAUSS_SEIDEL; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY;
          kind++) {
         problem p = problem_new(3);
-        for (int i = 0; i < p.n; i++) /* rows of very different size */
+        for (int i = 0; i < p.n; i++) /* scales rows very differently */
             for (int k = p.system.A.row_start[i]; k < p.system.A.row_start[i + 1]; k++)
                 for (int r = 0; r < 3; r++)
                     for (int c = 0; c < 3; c++)
@@ -272,8 +273,8 @@ static void test_preconditioners_are_of_use(void **state) {
                 iterations[PRECONDITIONER_INCOMPLETE_CHOLESKY]);
 }
 
-/* On a layout where elimination makes no new block, incomplete Cholesky is complete but for its
- * shift: R'R is the matrix with its diagonal blocks counted 1 + shift times. */
+/* On a layout where elimination makes no new block, incomplete Cholesky is complete except for its
+ * shift: R'R is the matrix with its diagonal blocks multiplied by 1 + shift. */
 static void test_incomplete_cholesky_of_a_chain(void **state) {
     (void)state;
     enum { N = 12 };
@@ -298,7 +299,7 @@ static void test_incomplete_cholesky_of_a_chain(void **state) {
                         A->column[k] != i ? random_number(&seed) : (r == c ? 6 : 0.5);
     assert_int_equal(factored_init(&f, A, PRECONDITIONER_INCOMPLETE_CHOLESKY), 0);
     factored_build(&f, A, &free_all, PRECONDITIONER_INCOMPLETE_CHOLESKY);
-    /* (I + F)' (I + F) in the scaled matrix' terms: its off-diagonal blocks are U. */
+    /* (I + F)' (I + F) in terms of the scaled matrix, whose off-diagonal blocks are U. */
     for (int i = 0; i + 1 < N; i++) {
         const int k = A->row_start[i] + 1;
         for (int r = 0; r < 3; r++)
@@ -341,7 +342,7 @@ static void test_direct_agrees_with_elimination(void **state) {
     }
 }
 
-/* S25: float believes more than it has reached; mixed reaches it. */
+/* S25: in float the estimated error is too small; in mixed precision the tolerance is reached. */
 static void test_float_and_mixed(void **state) {
     (void)state;
     double error[3];
@@ -364,7 +365,7 @@ static void test_float_and_mixed(void **state) {
     assert_true(error[PRECISION_FLOAT] > 1e-10);
 }
 
-/* Whatever is given holds to the last digits, and the residual along it is the impulse. */
+/* Prescribed values are exact up to the last digits, and the residual along them is the impulse. */
 static void S21_given_directions_are_exact(void **state) {
     (void)state;
     problem p = problem_new(8);
@@ -401,7 +402,7 @@ static void S21_all_pinned_takes_no_iteration(void **state) {
     problem_end(&p);
 }
 
-/* S29: S is a projection, whatever directions are given; dependent ones do not count. */
+/* S29: S is a projection, whatever directions are prescribed; dependent directions do not count. */
 static void S29_projection(void **state) {
     (void)state;
     constraints c;
@@ -445,7 +446,7 @@ static void test_good_guess_takes_no_iteration(void **state) {
     problem_end(&p);
 }
 
-/* S24: with nothing to do, relative tolerance alone would never end. */
+/* S24: with a right side of 0 a relative tolerance alone would never be reached. */
 static void S24_nothing_to_do(void **state) {
     (void)state;
     problem p = problem_new(5);
@@ -459,7 +460,7 @@ static void S24_nothing_to_do(void **state) {
     problem_end(&p);
 }
 
-/* S23 */
+/* S23: each status of the solver is reached. */
 static void S23_statuses(void **state) {
     (void)state;
     problem p = problem_new(5);
@@ -468,7 +469,7 @@ static void S23_statuses(void **state) {
     assert_int_equal(p.iterations, 3);
     p.limits.max_iterations = 1000;
 
-    /* Positive diagonal blocks, indefinite as a whole. */
+    /* positive diagonal blocks, but the whole matrix is indefinite */
     const int off = p.system.A.row_start[0] + 1;
     p.system.A.value[off][0][0] = 1e4;
     assert_int_equal(solve(&p), SOLVER_BREAKDOWN);
@@ -485,7 +486,7 @@ static void S23_statuses(void **state) {
     problem_end(&p);
 }
 
-/* A vertex without mass and stiffness has a zero block: it must not spoil the others. */
+/* A vertex without mass and stiffness has a zero block, which must not affect the others. */
 static void test_singular_block(void **state) {
     (void)state;
     for (int kind = PRECONDITIONER_GAUSS_SEIDEL; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The matrix' layout and its products. */
+/* The matrix's layout and its products. */
 #include "check.h"
 
 #include <stdlib.h>
@@ -39,7 +39,8 @@ static void fill(block_matrix *A, unsigned seed) {
                         A->column[k] == i && c < r ? A->value[k][c][r] : random_number(&seed);
 }
 
-/* Exactly the pairs that share an element, each once, diagonal first, ascending, and found. */
+/* The layout has exactly the pairs that share an element, each once, the diagonal first, in
+ * ascending order, and finds each of them. */
 static void test_layout_is_the_elements_pairs(void **state) {
     (void)state;
     mesh m = cloth_sheet(6, 5, 0.1, 0.3, 2);

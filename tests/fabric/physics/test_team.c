@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* How many threads a round gets (team.h), on a machine that is made up: a clock that only rounds
- * move, and a table of how much faster so many threads are. */
+/* The number of threads that a round gets (team.h), on a simulated machine: its clock advances only
+ * in rounds, and a table gives the speed-up of each number of threads. */
 #include <stdlib.h>
 
 #include "check.h"
 #include "step/team.h"
 
 typedef struct machine {
-    double speed[TEAM_LEVELS]; /* of a level, over one thread's */
-    double seconds, lost;      /* all rounds; what they took beyond the best level's */
+    double speed[TEAM_LEVELS]; /* speed-up of each level over one thread */
+    double seconds, lost;      /* total of all rounds; its excess over the best level's total */
     unsigned random;
-    int noise; /* rounds take up to a fifth more */
+    int noise; /* if set, rounds take up to a fifth longer */
 } machine;
 
 enum { PHASES = 4 };
 
-/* A round of one thread takes 2 ms and 0.1 ms an iteration. */
+/* A round with one thread takes 2 ms, and 0.1 ms per iteration. */
 static void take_round(team *t, machine *m, long iterations) {
     double best = 0, now = m->seconds, solve = 0;
     for (int l = 0; l < t->levels; l++)
@@ -72,20 +72,20 @@ static void free_cores_are_all_used(void **state) {
 
 static void the_fastest_count_is_found(void **state) {
     (void)state;
-    machine m = {.speed = {1.2, 1.4, 1.5, 1.3, 1}}; /* 16, 8, 4, 2, 1 */
+    machine m = {.speed = {1.2, 1.4, 1.5, 1.3, 1}}; /* 16, 8, 4, 2 and 1 threads */
     team t;
     team_start(&t, 16, 0);
     take_rounds(&t, &m, 200);
     assert_int_equal(team_threads(&t), 4);
-    m.speed[1] = 2.5; /* more threads pay now, */
+    m.speed[1] = 2.5; /* now 8 threads are fastest */
     take_rounds(&t, &m, 200);
     assert_int_equal(team_threads(&t), 8);
-    m.speed[1] = 1.4; /* and no longer, */
-    m.speed[3] = 1.8; /* and fewer do */
+    m.speed[1] = 1.4; /* now 8 threads are slower than 4 */
+    m.speed[3] = 1.8; /* and 2 threads are fastest */
     take_rounds(&t, &m, 600);
     assert_int_equal(team_threads(&t), 2);
     m.speed[3] = 1.3;
-    team_start(&t, 16, 1); /* from one thread up */
+    team_start(&t, 16, 1); /* starts again from one thread */
     assert_int_equal(team_threads(&t), 1);
     take_rounds(&t, &m, 200);
     assert_int_equal(team_threads(&t), 4);
@@ -100,7 +100,7 @@ static void beside_neighbours_one_thread_is_kept(void **state) {
         m.seconds = m.lost = 0;
         take_rounds(&t, &m, rounds);
         assert_int_equal(team_threads(&t), 1);
-        /* a fiftieth, and the first trial: a phase of it, of a round of 2 to 5 ms */
+        /* a fiftieth, and the first trial: one phase of 2 to 5 ms per round */
         assert_true(m.lost < 0.02 * m.seconds + 0.06);
     }
 }
@@ -112,21 +112,21 @@ static void neighbours_that_come_and_go_are_noticed(void **state) {
     team_start(&t, 2, 0);
     take_rounds(&t, &m, 50);
     assert_int_equal(team_threads(&t), 2);
-    m.speed[0] = 0.1; /* they come */
+    m.speed[0] = 0.1; /* other programs use the cores */
     m.lost = 0;
     take_rounds(&t, &m, 5);
     assert_int_equal(team_threads(&t), 1);
     assert_true(m.lost < 0.2);
     take_rounds(&t, &m, 200);
     assert_int_equal(team_threads(&t), 1);
-    m.speed[0] = 1.9; /* they go */
+    m.speed[0] = 1.9; /* the other programs end */
     take_rounds(&t, &m, 400);
     assert_int_equal(team_threads(&t), 2);
 }
 
 static void a_count_that_is_no_power_of_two(void **state) {
     (void)state;
-    machine m = {.speed = {0.5, 0.9, 1}}; /* 7, 3, 1 */
+    machine m = {.speed = {0.5, 0.9, 1}}; /* 7, 3 and 1 threads */
     team t;
     team_start(&t, 7, 0);
     assert_int_equal(t.levels, 3);

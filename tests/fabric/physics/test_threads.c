@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* S34 for the loops with OpenMP's pragmas: the bits are the same at every thread count. */
+/* S34 of docs/fabric-hard-cases.md for loops with OpenMP pragmas: the bits are the same at every
+ * thread count. */
 #include "check.h"
 
 #include <omp.h>
@@ -9,7 +10,7 @@
 #include "cloth.h"
 #include "step/simulation.h"
 
-/* A pinned cloth with wind falls onto a ball; its positions after some steps. */
+/* A pinned cloth in wind falls onto a ball. Returns its positions after some steps. */
 static double (*result(int threads))[3] {
     char error[256] = "";
     collider ball = {.kind = COLLIDER_SPHERE,

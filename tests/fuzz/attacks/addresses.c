@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Addresses that are compared as values: of variables of the kernel, which each thread may have a
- * copy of, of parameters, of static objects and of parts of them; and variables reached by their
+/* Addresses that the program compares: of variables of the kernel, of which each thread may have a
+ * copy, of parameters, of static objects and their parts. Also variables accessed through their
  * address. */
 #include "fuzz/attacks/attack.h"
 
@@ -8,7 +8,7 @@ typedef struct object {
     const char *declaration;
     part where;
     const char *address;
-    const char *use; /* its value, in the loop, as an int; or NULL */
+    const char *use; /* an int expression of the object's value in the loop, or NULL */
 } object;
 
 static const object objects[] = {
@@ -63,7 +63,7 @@ static operand mark(attack *a) {
     return (operand){text(a, "((%s) + 2)", compared), true, false, NULL};
 }
 
-/* A parameter's own address. */
+/* The address of a parameter. */
 static operand parameter(attack *a) {
     note(a, "addresses/parameter");
     put(a, PART_GLOBALS, "static const void *entry$[%d];\n", a->trips + SPARE);
@@ -73,7 +73,7 @@ static operand parameter(attack *a) {
     return (operand){text(a, "((entry$[t] == (void *)&given$) + given$)"), true, false, NULL};
 }
 
-/* A variable that the loop writes, read by its address there or behind the loop. */
+/* The loop writes a variable that is also read through its address, in the loop or after it. */
 static operand by_address(attack *a) {
     note(a, "addresses/alias");
     static const char *const types[] = {"double", "int", "float", "long"};
@@ -84,8 +84,7 @@ static operand by_address(attack *a) {
     return (operand){text(a, chance(a, 50) ? "(int)*at$" : "(int)own$"), true, false, NULL};
 }
 
-/* The address of the iteration's own variable is another one in each thread: equal to itself only.
- */
+/* The address of a variable of the iteration differs between threads; it equals only itself. */
 static operand own_address(attack *a) {
     note(a, "addresses/private");
     put(a, PART_BODY, "int v$ = k[t];\nint *p$ = &v$;\n*p$ ^= %d;\n", 1 + below(a, 7));

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * One random attack: a legal loop around an irregular reduction, with data and calls of its own, at
- * which a translation that assumes too much gives other results. The text is a function of the
- * seed.
+ * One random attack: a legal program with a loop around an irregular reduction, which a translation
+ * that assumes too much would change. The program's text depends only on the seed.
  *
- * A program is made of features: each appends declarations, statements and changes between the
- * calls, and gives an expression that the loop uses as a value, a condition or a subscript. In all
- * that a feature appends `$` stands for a suffix that no other feature has: `tab$` is `tab_17_0`.
+ * A program consists of features. Each feature appends declarations, statements and changes between
+ * the calls. It returns an expression that the loop uses as a value, a condition or a subscript. In
+ * the text that a feature appends, `$` stands for a suffix that no other feature has: `tab$` is
+ * `tab_17_0`.
  *
- * There is no undefined behaviour, by construction: positions stay below `trips` + SPARE, and a
- * feature evaluates nothing outside of its memory; integers that are accumulated are small or
- * unsigned.
+ * By construction no program has undefined behaviour. Positions are less than `trips` + SPARE. A
+ * feature evaluates nothing outside of its memory. Integers that are summed are small or unsigned.
  */
 #ifndef FUZZ_ATTACK_H
 #define FUZZ_ATTACK_H
@@ -20,34 +19,34 @@
 #include "support/buffer.h"
 
 enum {
-    BLOCK = 100, /* seeds of one block share the flags of the compiler */
-    SPARE = 64   /* elements of every table behind the last position */
+    BLOCK = 100, /* seeds of one block share the compiler's options */
+    SPARE = 64   /* elements of every table after the last position */
 };
 
 typedef enum part {
     PART_INCLUDES,
     PART_GLOBALS,    /* declarations and functions before the kernel */
-    PART_PARAMETERS, /* of the kernel, each with a comma before it */
-    PART_ARGUMENTS,  /* of its calls, likewise */
+    PART_PARAMETERS, /* parameters of the kernel, each with a comma before it */
+    PART_ARGUMENTS,  /* arguments of its calls, each with a comma before it */
     PART_BEFORE,     /* in the kernel, before the loop */
     PART_BODY,       /* in the loop, before the updates */
-    PART_AFTER,      /* behind the loop */
+    PART_AFTER,      /* in the kernel, after the loop */
     PART_SETUP,      /* in the caller, before the first call */
-    PART_FINISH,     /* in the caller, behind the last call */
+    PART_FINISH,     /* in the caller, after the last call */
     PART_COUNT
 } part;
 
-/** How the whole block is compiled (flags.c). */
+/** How the programs of a block are compiled (flags.c). */
 typedef struct block_flags {
     const char *options;
     bool keeps_errno;     /* library functions set errno */
-    bool is_fast;         /* floating sums may be rearranged */
-    bool has_wide_floats; /* excess precision */
+    bool is_fast;         /* floating-point sums may be reordered */
+    bool has_wide_floats; /* floating-point expressions have excess precision */
     bool wraps_signed;
 } block_flags;
 
 typedef struct changes {
-    const char *statement[24]; /* each one may be executed between two calls */
+    const char *statement[24]; /* each statement may be executed between two calls */
     int count;
 } changes;
 
@@ -56,27 +55,27 @@ typedef struct attack {
     random_source random;
     arena *memory;
     const block_flags *flags;
-    const bool *without; /* by number of statement: to be left out; NULL: none */
-    int statements;      /* numbered so far */
-    int features;        /* made so far; part of the suffix */
+    const bool *without; /* without[n]: statement n is omitted; NULL: none is */
+    int statements;      /* number of statements so far */
+    int features;        /* number of features so far, which is part of the suffix */
     buffer parts[PART_COUNT];
     changes changes;
-    buffer kinds; /* names of the features, for the one who looks at a failure */
-    const char
-        *element; /* the type of the array that is reduced, `h`, and of `x`, which may overlap it */
+    buffer kinds;        /* names of the features, to help in the analysis of a failure */
+    const char *element; /* type of the elements of `h`, which is updated, and of `x`, which may
+                            overlap it */
     bool is_floating;
     const char *counter_type;
-    int trips;    /* positions `t` lie in 0 ... trips - 1 */
-    int elements; /* subscripts lie in 0 ... elements - 1 */
-    int limit;    /* elements that may be read behind `x` */
+    int trips;    /* positions `t` are in 0 ... trips - 1 */
+    int elements; /* subscripts are in 0 ... elements - 1 */
+    int limit;    /* number of elements that may be read from `x` on */
 } attack;
 
-/** What a feature gives. */
+/** What a feature returns. */
 typedef struct operand {
     const char *text;
-    bool is_integer;   /* else floating; an integer fits into an int */
-    bool is_subscript; /* in 0 ... elements - 1 as it is */
-    const char *guard; /* NULL, or what must hold where the text is evaluated */
+    bool is_integer;   /* if false, the expression is floating-point; an integer fits into an int */
+    bool is_subscript; /* in 0 ... elements - 1 without conversion */
+    const char *guard; /* the condition under which the text may be evaluated, or NULL */
 } operand;
 
 /* ---- skeleton.c */
@@ -86,22 +85,22 @@ void put(attack *a, part where, const char *format, ...) __attribute__((format(p
 bool chance(attack *a, int percent);
 int below(attack *a, int n);
 const char *one_of(attack *a, int count, const char *const *choices);
-/** `statement` may be executed between two calls of the kernel. */
+/** Appends a statement that may be executed between two calls of the kernel. */
 void may_change(attack *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/** A static table `name$` of `trips` + SPARE ints in 0 ... below - 1; one element may change, in
- * the second half of the range that begins at `first` and has as many elements as there are
- * positions. */
+/** Declares a static table `name$` of `trips` + SPARE ints in 0 ... below - 1. Between calls one
+ * element may change. It is in the second half of the range of `trips` elements that begins at
+ * `first`. */
 void put_table(attack *a, const char *name, int below, int first);
-/** Notes the name of what this feature does. */
+/** Records the name of what this feature does. */
 void note(attack *a, const char *kind);
-/** The program of this seed. Returns how many statements it has. */
+/** Appends the program of this seed. Returns the number of its statements. */
 int put_attack(buffer *b, uint64_t seed, const bool *without);
 
 /* ---- flags.c */
 
 const block_flags *flags_of_block(uint64_t block);
 
-/* ---- one file a kind of attack */
+/* ---- one file per kind of attack */
 
 typedef operand feature(attack *a);
 feature wrapped_extents, hidden_names, shadowed_in_body, addresses_as_values, block_restrict,

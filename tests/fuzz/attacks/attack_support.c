@@ -81,7 +81,7 @@ void attack_print(unsigned seed, const void *bytes, size_t size, int is_floating
     fflush(stdout);
 }
 
-/* ---- functions that read what they are not given --------------------------------------------- */
+/* ---- functions of another file that read more than their arguments --------------------------- */
 
 static const unsigned char *watched;
 static size_t watched_count = 1;
@@ -128,7 +128,7 @@ double expectf(double v) {
     return attack_watched((int)v);
 }
 
-/* ---- what belongs to the thread -------------------------------------------------------------- */
+/* ---- values that belong to a thread ---------------------------------------------------------- */
 
 static _Thread_local int own[256];
 static _Thread_local int number;
@@ -194,7 +194,7 @@ void attack_map(unsigned long *both[2], int kind) {
     close(file);
 }
 
-/* Behind the last one: nothing else lies in its page. */
+/* The section's last object: nothing else lies in its page. */
 ATTACK_PAGE char attack_last_page[4096];
 extern char __start_attack_pages[], __stop_attack_pages[];
 

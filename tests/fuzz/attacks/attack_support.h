@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What generated attacks share (tests/fuzz/attacks). No system header: translating takes less
- * time. */
+/** Functions that generated attacks share (tests/fuzz/attacks). No system header is included, to
+ * shorten the translation. */
 #ifndef ATTACK_SUPPORT_H
 #define ATTACK_SUPPORT_H
 
@@ -17,20 +17,21 @@ static inline double attack_damp(double v) {
 #define ATTACK_FILL(array, count)                                                                  \
     attack_fill(array, count, sizeof *(array), ATTACK_IS_FLOATING((array)[0]))
 
-/** Begins the values of one program. */
+/** Starts the random values of one program. */
 void attack_seed(unsigned long long seed);
 int attack_below(int n);
 void attack_fill(void *to, int count, size_t size, int is_floating);
 void attack_fill_ints(int *to, int count, int below);
 void attack_fill_doubles(double *to, int count);
-/** Prints a hash of the bytes, all NaN being one. is_floating: the size of the values, or 0. */
+/** Prints a hash of the bytes, in which all NaNs are equal. is_floating: the size of a
+ * floating-point value, or 0 for others. */
 void attack_print(unsigned seed, const void *bytes, size_t size, int is_floating);
-/** Takes part in the hash that attack_print prints next. */
+/** Adds the value to the hash that attack_print prints next. */
 void attack_note(double value);
 
-/* In another file: the translator sees no body. */
+/* The functions below are in another file, so the translator does not see their bodies. */
 
-/** What the functions below read: `count` bytes, read one in `count` by the low bits of i. */
+/** Sets the `count` bytes of which the functions below read one, selected by the low bits of i. */
 void attack_watch(const void *bytes, size_t count);
 int attack_watched(int i);
 int parity(int i);
@@ -45,23 +46,23 @@ int isinf_sign(int i);
 int parityl(int i);
 double expectf(double v);
 
-/** Belongs to the calling thread, as the C library's __ctype_b_loc does. */
+/** Returns a table of the calling thread, like the C library's __ctype_b_loc. */
 const int *attack_table(void) __attribute__((const));
 int attack_thread_value(int i) __attribute__((pure));
 int attack_thread_number(void) __attribute__((const));
-/** Sets what the two before give for the calling thread. */
+/** Sets what the two functions above return in the calling thread. */
 void attack_set_thread(int value);
-/** The calling thread's classes of characters are those of the locale that ATTACK_LOCALE names; or,
- * by the second, as before. */
+/** Sets the calling thread's character classes to those of the locale that ATTACK_LOCALE names.
+ * attack_reset_locale restores them. */
 void attack_set_locale(void);
 void attack_reset_locale(void);
-/** Returns its argument, for all that the compiler knows. */
+/** Returns its argument, which the compiler cannot know. */
 void *attack_same(const void *p) __attribute__((const));
-/** Maps 1024 zeros at both[0] and, the same or others, at both[1]: at the addresses
- * that they have from an earlier call. kind 0: two objects; 1: one, mapped twice; 2: one, twice,
- * side by side; 3: one, which the second shows until it is written to. */
+/** Maps 1024 zeros at both[0] and at both[1], at the addresses of an earlier call. kind 0: two
+ * objects; 1: one object, mapped twice; 2: one object, mapped twice at adjacent addresses; 3: one
+ * object, which the second mapping shows until it is written to. */
 void attack_map(unsigned long *both[2], int kind);
-/** Objects of pages of their own, which can only be read after attack_hold. */
+/** For objects in pages of their own, which can only be read after attack_hold. */
 #define ATTACK_PAGE __attribute__((section("attack_pages"), aligned(4096)))
 void attack_hold(void);
 void attack_mark(const void **entries, int count, const void *mark);

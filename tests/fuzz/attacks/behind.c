@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A variable that the loop assigns, and behind the loop, or around it, statements of all kinds that
- * may read it or write it first: a separate function, with a loop somewhere in it. */
+/* The loop assigns a variable. After the loop, or around it, statements of all kinds may read the
+ * variable or write it first. Each is a separate function with a loop at a random place. */
 #include "fuzz/attacks/attack.h"
 
 enum { DEEPEST = 4 };
 
-/* What stands around a statement. */
+/* The statements around a statement. */
 typedef struct place {
     int depth;
     bool is_in_loop, is_in_switch;
@@ -18,10 +18,10 @@ static place inside(place p) {
     return p;
 }
 
-/* A choice that no compiler knows. */
+/* A condition whose value no compiler knows. */
 #define CHOICE "(c[at++ & 63] & 1)"
 
-/* The loop: x is assigned in each iteration, or in some, or counts. */
+/* The loop: x is assigned in each iteration or in some, or is a counter. */
 static void put_loop(attack *a) {
     static const char *const loops[] = {
         "for (int t = 0; t < n; t++) {\nx = s[t] & 7;\nh[s[t]] += x;\n}\n",
@@ -64,7 +64,7 @@ static void put_jump(attack *a, place p) {
         put(a, PART_GLOBALS, "return y;\n");
 }
 
-/* Some statements, the loop among them where it is to be here. */
+/* Appends some statements; if `holds_loop`, the loop is one of them. */
 static void put_block(attack *a, place p, bool holds_loop) {
     const int count = 1 + below(a, 3), at = holds_loop ? below(a, count) : count;
     put(a, PART_GLOBALS, "{\n");

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reads of `x`, which may overlap with `h`, at positions that are no straight line through all
- * iterations: differences and products that wrap where the program does not read, narrow types,
- * conditions about the first and the last iterations. */
+/* Reads of `x`, which may overlap with `h`, at subscripts that are not affine in all iterations:
+ * differences and products that wrap around where the program does not read, narrow types, and
+ * conditions on the first and last iterations. */
 #include "fuzz/attacks/attack.h"
 
 typedef struct place {
     const char *index;
-    const char *guard; /* NULL: the index is always in 0 ... limit - 1 */
+    const char *guard; /* NULL if the index is always in 0 ... limit - 1 */
 } place;
 
-/* t - c, c - t, in the counter's type or another one, with a constant or a parameter. */
+/* t - c or c - t, in the counter's type or another one, where c is a constant or a parameter. */
 static place difference(attack *a) {
     static const char *const types[] = {"unsigned", "int", "size_t", "long"};
     const int c = 1 + below(a, chance(a, 50) ? 3 : a->trips - 2);
@@ -30,7 +30,7 @@ static place difference(attack *a) {
                    c == 1 && chance(a, 60) ? "t > 0" : text(a, "t >= %d", c)};
 }
 
-/* A product of 32 bits that wraps around; read where it is small. */
+/* A 32-bit product that wraps around; it is read where it is small. */
 static place wrapping_product(attack *a) {
     static const char *const factors[] = {"0x80000001u", "0xc0000001u", "0x40000002u",
                                           "0xffffffffu", "0x10001u",    "3u",
@@ -40,8 +40,9 @@ static place wrapping_product(attack *a) {
     return (place){index, text(a, "%s < %du", index, (unsigned)a->limit)};
 }
 
-/* A signed product that would overflow; computed where it does not, and where its element lies
- * below the limit: some 300 for each step, of which an int holds no more than five. */
+/* A signed product that would overflow in some iterations. It is computed only where it does not,
+ * and where the element is below the limit. A step is about 300 elements, and an int holds no more
+ * than five steps. */
 static place overflowing_product(attack *a) {
     const int stride = 300000000 + below(a, 90000000);
     const int first = chance(a, 50) ? 0 : below(a, a->trips - 2);
@@ -51,7 +52,7 @@ static place overflowing_product(attack *a) {
     return (place){index, text(a, "t >= %d && t < %d", first, first + steps)};
 }
 
-/* The memory itself is large enough for the few products that are computed. */
+/* The memory is large enough for the few products that are computed. */
 static place large_stride(attack *a) {
     const int first = below(a, 3) ? 0 : below(a, a->trips - 3);
     const int most = a->limit / 3;
@@ -121,7 +122,7 @@ static place any_place(attack *a) {
     }
 }
 
-/* The element at the index: by itself, by a pointer, by a function, in a loop. */
+/* The element at the index: directly, through a pointer, by a function, or in a loop. */
 static const char *element_at(attack *a, const char *index) {
     switch (below(a, 8)) {
     case 0:
@@ -140,7 +141,7 @@ static const char *element_at(attack *a, const char *index) {
     }
 }
 
-/* A difference in the function that reads, where nobody sees the wrap from outside. */
+/* The difference is computed in the reading function, so its wrap is not visible in the loop. */
 static operand read_by_function(attack *a) {
     const int c = 1 + below(a, 40);
     note(a, "extents/function");

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "fuzz/attacks/attack.h"
 
-/* Translation and both compilations get them. */
+/* Options of the translation and of both compilations. */
 static const block_flags usual = {"-O1", true, false, false, false};
 static const block_flags others[] = {
     {"-O0", true, false, false, false},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Subscripts made of floating values: behind conditions that keep values out which no integer
- * holds, with exceptions that trap, and with another direction of rounding between calls. */
+/* Subscripts computed from floating-point values: under conditions that exclude values which no
+ * integer can represent, with exceptions that trap, and with another rounding mode between
+ * calls. */
 #include "fuzz/attacks/attack.h"
 
 static void put_values(attack *a) {
@@ -40,7 +41,7 @@ static operand converted(attack *a) {
     return (operand){index, true, true, text(a, "(%s)", in_range(a))};
 }
 
-/* The rounding direction is no argument of the loop. */
+/* The rounding mode is not visible in the loop's arguments. */
 static operand rounded(attack *a) {
     static const char *const calls[] = {
         "(int)lrint(f$[t])", "(int)llrint(f$[t])",        "(int)nearbyint(f$[t])",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions of the program, in another file, that are called like something the compiler knows and
- * read what the loop writes; and functions that promise to have no effects, and read it. */
+/* Functions of the program, in another file, that have names known to the compiler and read what
+ * the loop writes. Also functions that are declared without side effects and read it. */
 #include "fuzz/attacks/attack.h"
 
 static const char *const names[] = {

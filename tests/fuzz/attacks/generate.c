@@ -2,11 +2,10 @@
 /*
  * attacks FIRST COUNT [--only=S,S...] [--without=N,N...] [--statements] [--flags]
  *
- * Prints a C program of the attacks of the seeds FIRST ... FIRST + COUNT - 1, which lie in one
- * block of a hundred; --only takes of these the ones named, --without leaves statements of these
- * numbers out,
- * --statements prints how many there are, --flags how the block is to be compiled. The program
- * prints a line for each seed; given a seed as its argument it begins with that one.
+ * Prints a C program with the attacks of the seeds FIRST ... FIRST + COUNT - 1, all in one block of
+ * a hundred seeds. --only selects the seeds named, and --without leaves out the statements with
+ * these numbers. --statements prints the number of statements, and --flags the block's compiler
+ * options. The program prints a line for each seed, and begins with the seed that is its argument.
  */
 #include <stdio.h>
 

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Arrays that may be the one that the loop updates, and whose values of before the loop are no
- * subscripts, bounds or divisors: the iterations before make them valid. Each call fills the arrays
- * anew, and some calls get arrays that lie apart. */
+/* Arrays that may overlap the array that the loop updates. Their values before the loop are invalid
+ * subscripts, bounds or divisors, until earlier iterations make them valid. Each call fills the
+ * arrays again, and some calls get disjoint arrays. */
 #include "fuzz/attacks/attack.h"
 
-enum { SIZE = 1024 /* of each array, a power of two above all positions */ };
+enum { SIZE = 1024 /* elements of each array: a power of two above all positions */ };
 
 static const char *const types[] = {"int", "int", "unsigned", "long"};
 
-/* What is missing from a value until it is valid: outside of all memory, or only elsewhere. */
+/* An invalid value is this much less than the valid one. With the large differences it is a
+ * subscript outside all memory, with the small ones the subscript of another element. */
 static const char *const missing[] = {"1000000000", "1000000000", "300", "7"};
 
-/* Declares `s`, which is updated, `k`, which may lie in it, and `m` (int), all with `$`, and what
- * fills them before a call: k[t] = `value`, less `lacks` where it is s and t >= `from`. */
+/* Declares `s`, which is updated, `k`, which may lie in it, and `m` (int), all with `$`, and a
+ * function that fills them before a call: k[t] = `value`, or `value` - `lacks` if k lies in s and
+ * t >= `from`. */
 static void put_arrays(attack *a, const char *type, int shift, const char *value, const char *lacks,
                        int from) {
     put(a, PART_GLOBALS,
@@ -32,12 +34,13 @@ static void put_arrays(attack *a, const char *type, int shift, const char *value
         a->trips / 2);
 }
 
-/* Features before this one may leave the iteration before it makes anything valid. */
+/* Does the feature begin the body? Otherwise an earlier one may leave the iteration before the
+ * feature makes anything valid. */
 static bool is_first(const attack *a) {
     return a->parts[PART_BODY].length == 0;
 }
 
-/* s[m[k[t]]] += ...: iteration t makes k[t + ahead] valid. No iteration may be left out. */
+/* s[m[k[t]]] += ...: iteration t makes k[t + ahead] valid, so no iteration may be skipped. */
 static operand chain(attack *a) {
     const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
     const int ahead = 6 * (1 + below(a, 9)), shift = chance(a, 60) ? 0 : below(a, SPARE);
@@ -60,12 +63,12 @@ static operand chain(attack *a) {
     return (operand){chance(a, 50) ? NULL : "1", true, false, NULL};
 }
 
-/* What an iteration makes valid for itself. */
+/* Values that an iteration makes valid for itself. */
 typedef struct own_form {
     const char *kind;
-    const char *value; /* of k[t], and what it lacks before the loop; NULL: a subscript, any */
+    const char *value; /* the final value of k[t]; NULL for a random subscript */
     const char *lacks;
-    const char *added; /* by the iteration */
+    const char *added; /* the iteration adds this */
     const char *reads, *guard;
 } own_form;
 
@@ -79,7 +82,7 @@ static const own_form own_forms[OWN_COUNT] = {
     {"made-valid/condition", "t & 1", "1", "1", "look$[t]", "k$[t] > 0"},
 };
 
-/* Each iteration makes what it reads itself valid: a subscript, a divisor, a condition. */
+/* Each iteration makes valid what it reads: a subscript, a divisor, or a condition. */
 static operand own(attack *a) {
     const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
     const char *to = chance(a, 70) ? "m$[t]" : "(m$[t] + 0)";

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Two pointers to memory that is mapped: to one memory object at two addresses, or to two objects.
- * What they lead to may change between the calls, at the addresses that they have. */
+/* Two pointers to mapped memory: to one memory object at two addresses, or to two objects. Between
+ * calls the mapping may change at unchanged addresses. */
 #include "fuzz/attacks/attack.h"
 
 enum {
-    COUNT = 1024, /* of each: attack_map */
-    KINDS = 4     /* 0: two objects */
+    COUNT = 1024, /* elements of each mapping, as in attack_map */
+    KINDS = 4     /* kinds of attack_map; kind 0: two objects */
 };
 
 static int any_kind(attack *a) {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One name for two things: in a function that is called and in the loop, or in the loop and around
- * it. The two values differ, so that who takes one for the other reads elsewhere. */
+/* One name for two things: in a called function and in the loop, or in the loop and around it.
+ * Their values differ, so a translation that confuses them reads elsewhere. */
 #include "fuzz/attacks/attack.h"
 
-/* What `N$` stands for: declared at the top of the file, within a function, or macro. */
+/* What `N$` means: declared at the beginning of the file, within a function, or as a macro. */
 typedef struct meaning {
-    const char *declaration; /* with one %d: the value */
+    const char *declaration; /* with one %d for the value */
     const char *use;
-    bool is_tag;    /* only another tag hides it */
-    bool is_global; /* stands before the function, not in it */
+    bool is_tag;    /* only another tag can hide it */
+    bool is_global; /* declared before the function, not in it */
 } meaning;
 
 static const meaning meanings[] = {
@@ -27,7 +27,7 @@ static const meaning meanings[] = {
     {"static struct { int at; } N$ = {%d};\n", "N$.at", false, true},
 };
 
-/* What hides it in the kernel; all are of value %d or size %d. */
+/* Declarations in the kernel that hide it, of value %d or size %d. */
 static const char *const hiding_names[] = {
     "enum { N$ = %d };\n",
     "const int N$ = %d;\n",
@@ -41,7 +41,7 @@ static const char *const hiding_names[] = {
 static const char *const hiding_tags[] = {"struct N$ { char c[%d]; };\n",
                                           "union N$ { char c[%d]; };\n"};
 
-/* int look$(a, t): a[t + there], of elements of the type. */
+/* Defines int look$(a, t), which returns a[t + there], with elements of the type. */
 static void put_look_up(attack *a, const meaning *m, const char *type, int there) {
     const char *declaration = text(a, m->declaration, there);
     if (m->is_global)
@@ -59,7 +59,8 @@ static void put_hiding(attack *a, const meaning *m, int here) {
         put(a, PART_ARGUMENTS, ", %d", here);
         return;
     }
-    /* At the top of the file it hides nothing, but is what the function's own name looks like. */
+    /* At the beginning of the file it hides nothing, but has the name of the function's own
+     * declaration. */
     const part where = !m->is_global && chance(a, 30) ? PART_GLOBALS
                        : chance(a, 65)                ? PART_BEFORE
                                                       : PART_BODY;
@@ -68,7 +69,7 @@ static void put_hiding(attack *a, const meaning *m, int here) {
     put(a, where, "%s", text(a, declaration, here));
 }
 
-/* A macro that is another one below the function. */
+/* A macro that is redefined after the function. */
 static void put_macro(attack *a, const char *type, int there, int here) {
     put(a, PART_GLOBALS,
         "#define N$ %d\nstatic %s look$(const %s *a, int t) {\nreturn a[t + N$];\n}\n#undef N$\n"
@@ -98,11 +99,11 @@ operand hidden_names(attack *a) {
     return (operand){text(a, "look$(tab$, (int)t)"), true, true, NULL};
 }
 
-/* ---- in the loop and around it --------------------------------------------------------------- */
+/* ---- names declared in the loop and around it ------------------------------------------- */
 
 typedef struct pair {
-    const char *outer, *inner, *use; /* %d: a value each */
-    bool outer_is_local;             /* may stand in the kernel as well */
+    const char *outer, *inner, *use; /* %d for a value in each */
+    bool outer_is_local;             /* may be declared in the kernel as well */
 } pair;
 
 static const pair pairs[] = {
@@ -127,7 +128,8 @@ static void put_pair(attack *a, const pair *p, int outer, int inner) {
     put(a, PART_BODY, "%s", text(a, p->inner, inner));
 }
 
-/* `extern int own$[];` in the body hides a parameter; another function has such a declaration. */
+/* `extern int own$[];` in the body hides a parameter. Another function has such a declaration,
+ * too. */
 static operand extern_in_body(attack *a) {
     note(a, "names/extern");
     const char *object = text(a, "int own$[%d];\n", a->trips + SPARE);

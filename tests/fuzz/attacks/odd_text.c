@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Declarations and expressions that stand twice in what is written for a loop: they must compile,
+/* Declarations and expressions that occur twice in the generated text of a loop. They must compile,
  * and mean the same. */
 #include "fuzz/attacks/attack.h"
 
-/* In the body; each leaves an int e$ in reach. `other$` is a table of the file. */
+/* Texts of the body; each declares an int e$. `other$` is a table of the file. */
 static const char *const texts[] = {
     "extern int other$[];\nconst int e$ = other$[t];\n",
     "extern int other$[], more$[];\nconst int e$ = other$[t] + 0 * (int)(more$ == other$);\n",
@@ -62,7 +62,7 @@ operand odd_text(attack *a) {
         put(a, PART_BODY, "%s", text(a, "%s", texts[below(a, count)]));
         return (operand){text(a, "e$"), true, false, NULL};
     }
-    /* the odd texts about one that is external: all of it may be declared again */
+    /* for the texts about an external object: all its declarations may be repeated */
     if (chance(a, 30))
         put(a, PART_GLOBALS, "extern int tab$[];\n");
     put(a, PART_GLOBALS, "int tab$[%d];\n", a->trips + SPARE);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* restrict where it promises nothing about other iterations, and pointers that lead into h by ways
- * that are hard to see. */
+/* restrict pointers that promise nothing about other iterations, and pointers into h that are hard
+ * to recognise. */
 #include "fuzz/attacks/attack.h"
 
 static operand in_body(attack *a) {
@@ -14,7 +14,7 @@ static operand in_body(attack *a) {
     };
     const int form = below(a, 5);
     put(a, PART_BODY, "%s", text(a, forms[form], a->element));
-    /* The promise holds for the iteration: what it reads by r it does not write. */
+    /* The promise holds within an iteration: it does not write what it reads through r. */
     const char *base = form == 4 ? "s$.p" : "r$";
     put(a, PART_BODY, "const int i$ = (k[t] + %d) %% %d;\n", 1 + below(a, a->elements - 1),
         a->elements);
@@ -32,7 +32,7 @@ static operand of_function(attack *a) {
                      NULL};
 }
 
-/* Pointers made of h, however: a restrict parameter would allow them as well. */
+/* Pointers derived from h, which a restrict parameter would permit as well. */
 static operand derived(attack *a) {
     note(a, "restrict/derived");
     const char *from = text(a, "h + %d", below(a, a->trips / 2));

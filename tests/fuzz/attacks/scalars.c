@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Scalars beside the array: accumulated, assigned in some iterations, looked at behind the loop, or
+/* Scalars in addition to the array: summed, assigned in some iterations, used after the loop, or
  * carried from one iteration to the next. */
 #include "fuzz/attacks/attack.h"
 
@@ -31,7 +31,7 @@ static operand last(attack *a) {
     return (operand){always ? text(a, "((int)v$ & 1023)") : "(int)t", true, false, NULL};
 }
 
-/* Assigned in most iterations, read in each: the one before counts. */
+/* The scalar is assigned in most iterations and read in each, so earlier iterations matter. */
 static operand carried(attack *a) {
     note(a, "scalars/carried");
     static const char *const forms[] = {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Look-up functions that go over a table until they find: with narrow cursors, beginnings that are
- * converted, other steps. Where the range that is compared between calls is not the one that is
- * read, a change of the table goes unnoticed. */
+/* Look-up functions that search a table, with narrow cursors, converted start values and other
+ * steps. If the range compared between calls were not the range read, a change of the table would
+ * go unnoticed. */
 #include "fuzz/attacks/attack.h"
 
 typedef struct search {
-    const char *cursor; /* its type */
-    const char *table;  /* the table's */
-    int first;          /* where it begins, after conversion */
-    const char *start;  /* how that is spelled */
+    const char *cursor; /* type of the cursor */
+    const char *table;  /* type of the table */
+    int first;          /* first subscript, after conversion */
+    const char *start;  /* the expression of the first subscript */
 } search;
 
 static const char *const cursors[] = {"unsigned char",  "unsigned char", "signed char",
@@ -20,7 +20,9 @@ static void choose_start(attack *a, search *s) {
     s->cursor = cursors[which];
     s->table = chance(a, 70) ? "int" : "short";
     s->first = chance(a, 50) ? 0 : below(a, 100);
-    const int around = which < 2 ? 256 : which == 3 ? 65536 : 0; /* wraps to where it begins */
+    const int around = which < 2    ? 256
+                       : which == 3 ? 65536
+                                    : 0; /* conversion to the type subtracts it */
     const char *first = text(a, chance(a, 50) ? "%d" : "from + %d", s->first + around);
     static const char *const narrower[] = {"(unsigned char)(%s + 512)", "(signed char)(%s + 256)",
                                            "(int)(%s + 0.5)", "(short)(%s + 65536)"};
@@ -43,7 +45,7 @@ static void put_search(attack *a, const search *s) {
         text(a, loops[below(a, chance(a, 80) ? 4 : 7)], s->cursor, s->start));
 }
 
-/* The table rises to a sentinel before a narrow cursor could pass its type. */
+/* The table ascends to a sentinel that a narrow cursor finds before it wraps around. */
 static operand rising(attack *a) {
     search s;
     note(a, "search/rising");
@@ -54,8 +56,8 @@ static operand rising(attack *a) {
     put(a, PART_SETUP,
         "for (int i = 0; i < 256; i++)\nrows$[i] = (%s)(i < %d ? i / %d * 3 : 30000);\n", s.table,
         length, steps);
-    /* Where all look for something far away, what lies before is read as well: an end of the search
-     * that appears there. */
+    /* If all searches look for distant values, all earlier elements are read, too. A change there
+     * may end a search. */
     const int most = length * 3 / steps, lowest = chance(a, 50) ? most * 2 / 3 : 0;
     for (int i = 0; i < 6; i++) {
         const int place =
@@ -70,7 +72,7 @@ static operand rising(attack *a) {
                      true, a->elements > 130, NULL};
 }
 
-/* The cursor passes the end of its type and goes on from 0. */
+/* The cursor passes the end of its type and continues at 0. */
 static operand wrapping(attack *a) {
     note(a, "search/wrapping");
     const int first = 200 + below(a, 50);
@@ -78,7 +80,7 @@ static operand wrapping(attack *a) {
         "static int rows$[256];\nstatic int find$(const int *a, int key) {\nunsigned char i = %d;\n"
         "while (a[i] != key)\ni++;\nreturn i;\n}\n",
         first);
-    /* Few values are looked for, all of which are found behind the end. */
+    /* Few values are searched for, all of which are found after the wrap. */
     const int values = chance(a, 50) ? 256 : 1 + below(a, 30);
     put(a, PART_SETUP, "for (int i = 0; i < 256; i++)\nrows$[i] = (i + %d) %% 256;\n",
         values < 256 ? 106 : below(a, 256));
@@ -95,7 +97,7 @@ static operand wrapping(attack *a) {
     return (operand){text(a, "find$(in$, k[t] %% %d)", values), true, a->elements > 256, NULL};
 }
 
-/* One element is read by each call; which, nobody sees from its arguments. */
+/* Each call reads one element, which its arguments do not show. */
 static operand indirect(attack *a) {
     note(a, "search/indirect");
     const int shift = 1 + below(a, SPARE - 1);
@@ -114,7 +116,7 @@ static operand indirect(attack *a) {
 }
 
 operand searches(attack *a) {
-    /* By a pointer: of a named array the runtime keeps no plan. */
+    /* through a pointer, since the runtime keeps no plan for a named array */
     const bool by_pointer = chance(a, 85);
     const int which = below(a, 6);
     operand o = which == 0 ? indirect(a) : which < 3 ? wrapping(a) : rising(a);

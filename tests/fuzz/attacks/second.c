@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Kinds of the second attack (docs/soundness.md): counters that are set inside their loops,
- * comparisons kept in integers of every type, and updates of memory that no iteration comes to. */
+/* Kinds of the second series of attacks (docs/soundness.md): counters set inside their loops,
+ * comparisons stored in integers of every type, and updates of memory that no iteration
+ * executes. */
 #include "fuzz/attacks/attack.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
 
-/* A condition on the double `$r`, which differs from one iteration to the next. */
+/* Returns a condition on the double `$r`, which differs from iteration to iteration. */
 static const char *condition(attack *a) {
     static const char *const forms[] = {"r$ < 0.25", "r$ > 0.5", "r$ < 0.5 && r$ > -0.5",
                                         "!(r$ < 0.125)", "r$ < -0.25 || r$ > 0.75"};
     return text(a, "%s", chance(a, 10) ? "n > 100" : forms[below(a, LENGTH(forms))]);
 }
 
-/* An iteration that is heavy enough for lanes: the converging r$ is worked on in a loop. */
+/* Makes an iteration heavy enough for lanes: a loop computes r$, which converges. */
 static void put_value(attack *a, int rounds) {
     put(a, PART_BODY, "double r$ = w[t];\n");
     if (rounds > 0)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loop around the features, the function that calls it, and what all features use. */
+/* The loop around the features, the function that calls the kernel, and functions that all features
+ * use. */
 #include "fuzz/attacks/attack.h"
 
 #include <stdarg.h>
@@ -76,14 +77,14 @@ void put_table(attack *a, const char *name, int below_what, int first) {
                below_what);
 }
 
-/* ---- what the kernel works on ---------------------------------------------------------------- */
+/* ---- the kernel's data ----------------------------------------------------------------------- */
 
 typedef struct world {
-    int pool;        /* elements of the memory in which x and h lie */
-    int x, h;        /* where */
-    int step;        /* of the counter */
-    bool is_sized;   /* the second call has other places */
-    const char *own; /* the subscript where no feature gives one */
+    int pool;        /* number of elements of the memory that contains x and h */
+    int x, h;        /* positions of x and h in the pool */
+    int step;        /* the counter's step */
+    bool is_sized;   /* the second call has other positions */
+    const char *own; /* the subscript if no feature gives one */
 } world;
 
 static const char *const floating_types[] = {"double", "double", "float"};
@@ -92,7 +93,7 @@ static const char *const integer_types[] = {"unsigned long", "short", "unsigned 
 static const char *const counter_types[] = {"int",      "int",      "int",  "unsigned", "unsigned",
                                             "unsigned", "unsigned", "long", "size_t"};
 
-/* Distances at which an extent that is wrong by little or by much misses the overlap. */
+/* Returns a distance at which an extent that is slightly or very wrong would miss the overlap. */
 static int distance(attack *a) {
     switch (below(a, 6)) {
     case 0:
@@ -177,7 +178,8 @@ static operand make_feature(attack *a) {
         addresses_as_values,  block_restrict,  changed_types,       names_like_builtins,
         values_of_the_thread, searches,        floating_subscripts, odd_text,
         beside_scalars,       made_valid,      behind_the_loop,     slices};
-    /* Later kinds, by the seed, so that other seeds make what they made before. */
+    /* Features added later depend on the seed, so that other seeds yield the same programs as
+     * before. */
     static feature *const later[16] = {
         [3] = counters_set_inside, [7] = masks, [10] = held, [13] = mapped};
     feature *chosen = a->features == 0 ? later[a->seed % 16] : NULL;
@@ -207,7 +209,7 @@ static void cut(buffer *b, size_t length) {
         b->data[length] = 0;
 }
 
-/** Numbers what was appended since; takes it out where it is to be left out. */
+/** Numbers the text appended since, and removes it if it is to be left out. */
 static bool end_statement(attack *a, const marks *m) {
     const bool is_left_out = a->without && a->without[a->statements];
     a->statements++;
@@ -220,14 +222,14 @@ static bool end_statement(attack *a, const marks *m) {
     return false;
 }
 
-/* One update: subscript, value and condition from features, or plain. */
+/* Appends one update, whose subscript, value and condition are a feature's or plain. */
 static void put_feature(attack *a, const world *w) {
     const marks m = begin_statement(a);
     const operand o = make_feature(a);
     const int role = below(a, 10);
     const char *plain = a->is_floating ? "w[t]" : text(a, "%d", 1 + below(a, 9));
     const char *subscript = w->own, *value = plain, *condition = NULL;
-    if (!o.text) { /* it has updates of its own */
+    if (!o.text) { /* the feature has its own updates */
         end_statement(a, &m);
         return;
     }
@@ -276,7 +278,7 @@ static const char *all_of(const attack *a, part which) {
 
 static void put_runner(attack *a, buffer *b, world *w) {
     const unsigned long long s = a->seed;
-    /* No compiler sees what the kernel is called with. */
+    /* The call is through a volatile pointer, so no compiler sees the kernel's arguments. */
     buffer_format(b,
                   "static void run_%llu(void) {\n__typeof__(&kernel_%llu) volatile call = "
                   "kernel_%llu;\nattack_seed(%llu);\n",
@@ -301,7 +303,8 @@ static void put_kernel(attack *a, buffer *b, const world *w) {
     buffer_format(b, "static int table_%llu[%d];\nstatic double weight_%llu[%d];\n", s,
                   a->trips + SPARE, s, a->trips + SPARE);
     buffer_text(b, all_of(a, PART_GLOBALS));
-    /* Loops of functions with attributes are written in place, others in front of the function. */
+    /* The generated code of functions with attributes is in the loop's place, that of others before
+     * the function. */
     buffer_format(b,
                   "%sstatic void kernel_%llu(%s n, const %s *x, %s *h, const int "
                   "*k, const double *w%s) {\n",

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the inspector executes to find the subscripts, among statements that are the executor's: the
- * subscript is made in one of many ways, and sums, extrema, counts, stores and last values around
- * it get it, its address or its element by calls, in their operands or in their conditions. */
+/* Statements that the inspector executes to find the subscripts, among statements of the executor.
+ * The subscript is computed in one of many ways. Sums, extrema, counts, stores and last values
+ * around it use the subscript, its address or its element in calls, operands or conditions. */
 #include "fuzz/attacks/attack.h"
 
-/* Ways to make k, which lies in 0 ... elements - 1. `k` is how statements name it. */
+/* Statements that compute k, which lies in 0 ... elements - 1, and the expression by which other
+ * statements name it. */
 static const struct {
     const char *make, *k;
 } ways[] = {
@@ -20,7 +21,7 @@ static const struct {
     {"int k = s[t];\n(void)look$(&k);\n", "k"},
 };
 
-/* A value of the subscript. */
+/* Returns an expression of the subscript. */
 static const char *value(attack *a, const char *k) {
     static const char *const values[] = {"half$((int)x[%s])", "x[%s] + 1u",
                                          "(unsigned)taken$(s, %s)", "half$(%s) + (unsigned)t"};
@@ -31,7 +32,7 @@ static const char *by_address(attack *a, const char *k) {
     return chance(a, 12) ? text(a, "look$(&%s)", k) : value(a, k);
 }
 
-/* A statement that the executor alone may execute. */
+/* Appends a statement that only the executor may execute. */
 static void put_effect(attack *a, const char *k) {
     static const char *const effects[] = {
         "sum += %s;\n",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What belongs to the thread: errno, thread-local variables, tables that a `const` function gives,
- * the classes of characters. The caller has other values than a new thread has. */
+/* Values that belong to a thread: errno, thread-local variables, tables that a `const` function
+ * returns, and character classes. The caller's values differ from those of a new thread. */
 #include "fuzz/attacks/attack.h"
 
 static operand thread_local_variable(attack *a) {
@@ -58,7 +58,7 @@ static operand read_errno(attack *a) {
     return (operand){"(errno + (int)t)", true, false, NULL};
 }
 
-/* The caller looks at errno after the kernel has returned. */
+/* The caller reads errno after the kernel has returned. */
 static operand errno_afterwards(attack *a) {
     static const char *const calls[] = {"sqrt(x%s - 0.9)", "log(w[t] * w[t] * (t %% 50 > 0))",
                                         "pow(w[t] * 1e9 + 2, (double)(t %% 60))",

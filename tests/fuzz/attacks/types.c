@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Memory whose type changes while the loop goes over it, and types that C lets overlap. */
+/* Memory whose type changes while the loop runs, and types that C permits to overlap. */
 #include "fuzz/attacks/attack.h"
 
 #include <string.h>
@@ -12,8 +12,8 @@ static const char *const conversions[][2] = {
     {"long", "long long"},      {"long", "double"},  {"unsigned short", "float"},
 };
 
-/* to[place[t]] = from[t], both at one address in allocated memory: whatever a store lies over has
- * been read (C17 6.5p6). An update of its own. */
+/* An update by to[place[t]] = from[t], both at one address in allocated memory. Each store
+ * overwrites only memory that has been read (C17 6.5p6). */
 static operand in_place(attack *a) {
     const char *const *c = conversions[below(a, (int)(sizeof conversions / sizeof *conversions))];
     const int n = a->trips + SPARE;
@@ -46,7 +46,7 @@ static operand in_place(attack *a) {
     return (operand){chance(a, 50) ? NULL : "1", true, false, NULL};
 }
 
-/* The bytes of x, which may be those of h. */
+/* The bytes of x, which may be bytes of h. */
 static operand bytes(attack *a) {
     note(a, "types/bytes");
     static const char *const forms[] = {
@@ -73,8 +73,8 @@ static const char *other_sign(const char *type) {
                                                 : "unsigned";
 }
 
-/* As the type with the other sign, as a record, as a type that may alias, by a union, as a vector.
- */
+/* Reads as the type with the other sign, as a record, through may_alias, through a union, or as a
+ * vector. */
 static operand seen_otherwise(attack *a) {
     note(a, "types/seen-otherwise");
     switch (below(a, 4)) {

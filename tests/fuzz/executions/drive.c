@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * executions SEED: a loop is executed 20 to 120 times, in parallel and as it is, each time on a
- * world of its own. From time to time the same is done to both: subscripts, values, lengths, places
- * change. After each execution the two must be equal, byte for byte. Prints what the seed stands
- * for; status 1: where they differed first, 2: the seed is no number, or there is no memory.
+ * executions SEED executes a loop 20 to 120 times, translated and sequentially, each on a separate
+ * world (world.h). From time to time both worlds get the same change of subscripts, values, lengths
+ * or addresses. After each execution the worlds must be equal, byte for byte. Prints what the seed
+ * selects. Exit status 1: the worlds differ, and the first difference is printed; 2: the seed is no
+ * number, or memory is lacking.
  */
 #include <omp.h>
 #include <stdio.h>
@@ -20,12 +21,13 @@ typedef struct plan {
     const named_kernel *kernel;
     world_shape shape;
     change changes[2];
-    int every; /* executions from one change to the next */
+    int every; /* number of executions between two changes */
     int executions;
     bool changes_threads;
 } plan;
 
-/* Loops of all lengths: short ones, which `auto` leaves alone, and a few that take long. */
+/* Returns a trip count: mostly short loops, which `auto` does not run in parallel, and a few long
+ * ones. */
 static int any_length(random_source *r) {
     static const int more[] = {2000, 80000, 80000, 600000};
     return 1 + random_below(r, more[random_below(r, 4)]);
@@ -51,7 +53,7 @@ static void print_plan(const char *seed, const plan *p) {
            p->changes_threads ? ", other numbers of threads" : "");
 }
 
-/* Name of what differs; NULL: nothing. */
+/* Returns the name of the data that differ, or NULL if none do. */
 static const char *difference(const world *a, const world *b) {
     if (memcmp(a->memory, b->memory, a->size) != 0)
         return "arrays";

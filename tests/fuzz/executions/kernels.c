@@ -59,7 +59,7 @@ void KERNEL(sums)(problem *p) {
     p->sum = sum;
 }
 
-/* y += A x, a column at a time. */
+/* y += A x, column by column. */
 void KERNEL(columns)(problem *p) {
     const int n = p->n, *first = p->first, *row = p->k;
     const double *a = p->v, *x = p->v;

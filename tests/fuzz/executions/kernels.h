@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops that are executed many times: kernels.c compiled twice, once behind redcc-cc with PREFIX
- * `parallel_`, and once as it is with `sequential_`.
+ * Loops that are executed many times. kernels.c is compiled twice: by redcc-cc with PREFIX
+ * `parallel_`, and unchanged with `sequential_`.
  */
 #ifndef EXECUTIONS_KERNELS_H
 #define EXECUTIONS_KERNELS_H
@@ -9,21 +9,21 @@
 #define KERNELS_JOIN_(a, b) a##b
 #define KERNELS_JOIN(a, b) KERNELS_JOIN_(a, b)
 
-/** What a loop reads and updates. */
+/** The data that a loop reads and updates. */
 typedef struct problem {
-    int n;            /* iterations */
-    int rows;         /* of what is updated */
-    const int *k, *m; /* subscripts below `rows`: 2 n of them, and `rows` of them */
-    const int
-        *first; /* n + 1, ascending by 0 to 3: where the columns of a matrix begin in k and v */
-    const double *v;     /* 3 values for each row, and at least n */
-    const float *f;      /* n values */
-    const double *edges; /* EDGES of them, ascending */
+    int n;            /* number of iterations */
+    int rows;         /* number of updated rows */
+    const int *k, *m; /* subscripts below `rows`: 2 n in k, and `rows` in m */
+    const int *first; /* n + 1 numbers, ascending in steps of 0 to 3: where a matrix's columns begin
+                         in k and v */
+    const double *v;  /* 3 values for each row, and at least n */
+    const float *f;   /* n values */
+    const double *edges; /* EDGES ascending numbers */
     double cut;
-    double *h, *g; /* 3 values for each row; updated, may overlap v */
-    float *s;      /* one for each row; updated */
-    int *count;    /* one for each row; updated */
-    double sum;    /* beside the arrays */
+    double *h, *g; /* updated arrays of 3 values for each row, which may overlap v */
+    float *s;      /* updated array of one value for each row */
+    int *count;    /* updated array of one value for each row */
+    double sum;    /* a sum in addition to the arrays */
     int last;
 } problem;
 

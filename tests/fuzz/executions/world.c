@@ -62,7 +62,7 @@ bool world_make(world *w, const world_shape *shape, uint64_t seed) {
     const size_t rows = (size_t)shape->rows, most = (size_t)shape->most;
     const size_t values = 3 * rows > 4 * most ? 3 * rows : 4 * most;
     *w = (world){.most = shape->most};
-    /* the subscripts twice, three arrays of doubles, the rest; and what alignment takes */
+    /* the subscripts twice, three arrays of doubles, the rest, and space for alignment */
     w->size = (2 * 2 * most + most + 1 + rows) * sizeof(int) +
               (values + 6 * rows + EDGES) * sizeof(double) + most * sizeof(float) +
               rows * (sizeof(float) + sizeof(int)) + (size_t)16 * ALIGNMENT;
@@ -119,8 +119,7 @@ static void exchange(int *k, int i, int j) {
     k[j] = kept;
 }
 
-/* h into v, which lies in front of it, where there is room for all rows; or back to its own place.
- */
+/* Moves h into v, which lies in front of it, if all rows fit, or moves it back to its own place. */
 static void change_overlap(world *w, random_source *r) {
     problem *p = &w->problem;
     double *const inside = (double *)p->v + random_below(r, p->n);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A problem in a block of memory of its own, and what programs do to theirs between two executions
- * of a loop. Two worlds to which the same is done are equal, byte for byte, as long as the loops
- * are.
+ * A problem in its own block of memory, and changes that a program may make between two executions
+ * of a loop. Two worlds that get the same changes stay equal, byte for byte, as long as the loops
+ * have equal results.
  */
 #ifndef EXECUTIONS_WORLD_H
 #define EXECUTIONS_WORLD_H
@@ -17,9 +17,9 @@ typedef struct world {
     problem problem;
     unsigned char *memory; /* the problem's arrays, owned */
     size_t size, taken;
-    int most;       /* iterations that there is room for */
-    double *own;    /* where h lies when it overlaps nothing */
-    int *places[2]; /* where the subscripts may lie */
+    int most;       /* maximum number of iterations that fit */
+    double *own;    /* address of h while it overlaps nothing */
+    int *places[2]; /* the two addresses at which the subscripts may lie */
 } world;
 
 typedef struct world_shape {
@@ -37,22 +37,22 @@ typedef enum change {
     CHANGE_ONE_SUBSCRIPT,
     CHANGE_ALL_SUBSCRIPTS,
     CHANGE_TWO_EXCHANGED, /* the same subscripts in another order */
-    CHANGE_TO_AND_FRO,    /* two orders in turn */
+    CHANGE_TO_AND_FRO,    /* two orders alternate */
     CHANGE_TABLE,
     CHANGE_VALUES,
     CHANGE_LENGTH,
     CHANGE_PLACE,   /* the subscripts move to other memory */
-    CHANGE_OVERLAP, /* what is updated begins or ceases to overlap what is read */
+    CHANGE_OVERLAP, /* updated arrays begin or cease to overlap arrays that are read */
     CHANGE_COUNT
 } change;
 
 const char *change_name(change kind);
 
-/** Fills a world; false: there is no memory. Seeds determine it. */
+/** Fills a world, determined by the seed. Returns false if memory is lacking. */
 bool world_make(world *w, const world_shape *shape, uint64_t seed);
 void world_free(world *w);
 
-/** Does to the world what `kind` says; seeds determine it. */
+/** Changes the world by `kind`, determined by the seed. */
 void world_change(world *w, change kind, uint64_t seed);
 
 #endif

@@ -1,5 +1,5 @@
 /* REDCC: --require --assume-noalias */
-/* What may not be evaluated before the first iteration. */
+/* Expressions that must not be evaluated before the first iteration. */
 #include <stdio.h>
 
 struct system {

@@ -1,6 +1,6 @@
 /* REDCC: --require */
-/* Corners of the text: where statements end, which else belongs to which if, types of counters and
- * keys, values that outlive the loop. */
+/* Unusual source text: the ends of statements, the else of nested ifs, types of counters and keys,
+ * and values that are used after the loop. */
 #include <stdio.h>
 
 enum { SIZE = 12000, CELLS = 500 };

@@ -1,6 +1,6 @@
 /* REDCC: --require */
-/* Every form of loop and of its surroundings that the emitter knows, with values that show a
- * change of order in their last bits. */
+/* Every form of loop and of its surroundings that redcc can rewrite. The last bits of the values
+ * show a change of order. */
 #include <stdio.h>
 #include <string.h>
 
