@@ -50,12 +50,34 @@ static void put_departure(kernel *k) {
     put(k, &k->body, "%s", departures[below(k, ways)]);
 }
 
+/* Begins the `if`. Its condition may call a function, or assign a subscript, which this returns. */
+static const char *put_rare_if(kernel *k) {
+    const char *condition = rare_condition(k);
+    if (chance(k, 25)) {
+        const char *function = new_name(k, "function");
+        put(k, &k->globals, "static int %s(int i, int all) {\n    return all && i >= 0;\n}\n",
+            function);
+        condition = text(k, "%s(%s, %s)", function, any_name(k, &k->scope.positions), condition);
+    }
+    if (chance(k, 60)) {
+        put(k, &k->body, "if (%s) {\n", condition);
+        return NULL;
+    }
+    const char *name = new_name(k, "k"), *e = subscript(k);
+    put(k, &k->body, "int %s;\n", name);
+    put(k, &k->body, "if ((%s = (int)(%s)) %s (%s)) {\n", name, e,
+        chance(k, 50) ? "< 0 ||" : "> -1 &&", condition);
+    return name;
+}
+
 static void leaves(kernel *k) {
-    put(k, &k->body, "if (%s) {\n", rare_condition(k));
+    const char *assigned = put_rare_if(k);
     k->scope.depth++;
     put_departure(k);
     k->scope.depth--;
     put(k, &k->body, "}\n");
+    if (assigned)
+        add_name(&k->scope.subscripts, assigned);
 }
 
 /* The loop is left from an inner loop. */
