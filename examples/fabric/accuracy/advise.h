@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Finds step, integrator, tolerance and solver for a requested error by running the scene. First,
- * two integrators, with the number of steps doubled each time, must agree on the final state: the
- * reference. The error of any other run is its distance from the reference. The advised settings
- * have been run themselves. All of this takes three to six times as long as the advised run, longer
- * if the monitor halves steps.
+ * two integrators run it, each time with twice as many steps, until their final states agree: one
+ * of these states is the reference. The error of any other run is its distance from the reference.
+ * The advised settings have been run themselves. All of this takes three to six times as long as
+ * the advised run, longer if the monitor halves steps.
  */
 #ifndef FABRIC_ACCURACY_ADVISE_H
 #define FABRIC_ACCURACY_ADVISE_H

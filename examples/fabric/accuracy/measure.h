@@ -28,7 +28,9 @@ enum { ANY_REJECTIONS = -1 };
 simulation *study_simulation(const mesh *cloth, const scene *s);
 
 /** Runs all steps of the scene `repeat` times. Returns 0, or -1 after a message if out of memory or
- *  if the scene cannot be set up. A run that does not finish is a result, not an error. */
+ *  if the scene cannot be set up. A run that fails, or in which the monitor rejects more than
+ *  most_rejections steps (ANY_REJECTIONS: no limit), is a result that is not `finished`, and no
+ *  error. */
 int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result);
 void measured_free(measured *m);
 

@@ -43,8 +43,8 @@ typedef struct hinge_material {
     double bend_damping; /* N m s */
 } hinge_material;
 
-/** Takes over the mesh's hinges, except those with a triangle that has no rest shape. Returns 0, or
- *  -1 if out of memory. */
+/** Copies the mesh's hinges, except those with a triangle that has no rest shape. Returns 0, or -1
+ *  if out of memory. */
 int hinge_elements_init(hinge_elements *e, const mesh *m);
 /** Makes hinge_energy_at cache the angles that it computes. Returns 0, or -1 if out of memory. */
 int hinge_elements_cache_angles(hinge_elements *e);

@@ -9,8 +9,8 @@
  *  empty mesh if out of memory. mesh_free frees it. */
 int mesh_allocate(mesh *m, int vertices, int triangles);
 
-/** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1], each once or twice
- *  (an edge inside belongs to two triangles). */
+/** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1]. A neighbour occurs
+ *  once for each triangle of the edge to it, so usually twice. */
 typedef struct mesh_graph {
     int vertex_count;
     int *start;

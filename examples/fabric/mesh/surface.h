@@ -41,8 +41,8 @@ typedef struct surface_fault {
 /**
  * Looks for a defect that would change the sign of distances: two triangles of the same three
  * vertices, an edge of more than two triangles, an edge between triangles of opposite orientation,
- * or a closed surface that faces inwards. Stops at the first one. Open surfaces are accepted.
- * Returns 0, or -1 if out of memory.
+ * or a closed surface that faces inwards. Open surfaces are accepted. *fault receives the first
+ * defect found; its `what` is NULL if there is none. Returns 0, or -1 if out of memory.
  */
 int surface_check(const mesh *m, surface_fault *fault);
 

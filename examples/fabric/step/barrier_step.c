@@ -281,8 +281,8 @@ static void make_conjugate(simulation *sim) {
             vector_scale(d->direction[i], sim->step.h, b->displacement[i]);
 }
 
-/* Returns the position, at most `most`, of the minimum of the parabola that has this slope at 0 and
- * this change of value at `part`. */
+/* Returns the position of the minimum of the parabola that has this slope at 0 and this change of
+ * value at `part`, but at most `most`. Returns `most` if the parabola has no minimum. */
 static double lowest_part(double slope, double change, double part, double most) {
     const double curvature = 2 * (change - slope * part) / (part * part);
     return curvature > 0 ? fmin(most, -slope / curvature) : most;

@@ -14,8 +14,8 @@ enum { STEPS_UNTIL_SLEEP = 10 };
 /** Does the cloth sleep through the scene's next step? Wakes it if there is an event. */
 int rest_lasts(simulation *sim);
 
-/** Called after a step of the scene: counts slow steps, and sets the velocities of cloth that falls
- *  asleep to 0. */
+/** Called after a step of the scene: counts consecutive slow steps. Sets all velocities to 0 when
+ *  the cloth falls asleep. */
 void rest_watch(simulation *sim);
 
 #endif
