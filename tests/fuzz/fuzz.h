@@ -58,8 +58,8 @@ int fuzz_below(int n);
 void fuzz_fill(void *to, int count, size_t step, enum fuzz_type type, int below);
 /** For k < below, sets to[k] to less than k, or to 0; for k >= below, sets it to 0. */
 void fuzz_fill_chain(int *to, int count, int below);
-/** Fills in numbers that never decrease, in steps of 0, 1 and 2. A smaller mask makes fewer
- * steps. */
+/** Fills `to` with numbers that begin with 0 and never decrease: to[i] exceeds to[i - 1] by
+ * (i & mask) % 3. */
 void fuzz_fill_first(int *to, int count, int mask);
 /** Fills in numbers in 0 ... below - 1, and some far out of range. */
 void fuzz_fill_far(int *to, int count, int below);

@@ -183,8 +183,8 @@ const char *update(kernel *k, const array *a, const char *where);
 void statement(kernel *k);
 void block(kernel *k, int count);
 void inner_loop(kernel *k);
-/** An element that the iteration stores may be read further below; in nearly_stored_again it only
- * seems to be the same. */
+/** stored_again appends a store to an element that later statements of the iteration may read. With
+ * nearly_stored_again the value that they read may differ from the one stored. */
 void stored_again(kernel *k);
 void nearly_stored_again(kernel *k);
 /** Appends a read of the iteration's own element. Returns a statement that stores to this element

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Internal interface of the reader of the text form. Each function that fails has set `message`.
- */
+/** Internal interface of the reader of the IR's text form. A function that fails sets `message`. */
 #ifndef IR_IR_READER_H
 #define IR_IR_READER_H
 

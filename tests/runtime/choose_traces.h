@@ -7,8 +7,8 @@
 
 #include <stdint.h>
 
-/** The bound's epsilon, and the largest speed-up of these loops by a plan. Both are defined
- * independently of the code under test. */
+/** share: the bound's epsilon (docs/choosing.md). fastest: the largest speed-up of these loops by a
+ * plan. Both are defined independently of the code under test. */
 static const double share = 1.0 / 32, fastest = 2;
 
 /** The state of `uniform`, which each test that draws numbers must set. */

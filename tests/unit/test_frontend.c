@@ -319,8 +319,8 @@ static void test_depth(void **state) {
     arena_free(a);
 }
 
-/* Many functions that call each other, and many errors: the work must be proportional. Quadratic
- * work would take minutes here. */
+/* Many functions that call each other, and many errors: the work must be proportional to their
+ * number. Quadratic work would take minutes here. */
 static void test_many_functions(void **state) {
     (void)state;
     enum { COUNT = 5000 };

@@ -193,8 +193,8 @@ static void S17_huge_steps_gain_no_energy(void **state) {
     assert_in_range(refused, 0, 5);
 }
 
-/* One step of 1/30 s of a flap of 1e8 N/m without the monitor, and how the monitor subdivides
- * it. */
+/* Makes a step of 1/30 s of a flap of 1e8 N/m, once without a limit of energy and once with one, so
+ * that the monitor subdivides the step. */
 static void S26_energy_is_watched(void **state) {
     (void)state;
     for (int watched = 0; watched < 2; watched++) {
