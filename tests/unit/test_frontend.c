@@ -267,7 +267,7 @@ static void test_empty_and_odd_sources(void **state) {
 }
 
 /* The function of a cleanup attribute is called at the end of the scope, with the variable's
- * address. */
+ * address. So the attribute becomes an opaque child of the variable's declaration. */
 static void test_cleanup_attribute_is_opaque(void **state) {
     (void)state;
     static const char *const spellings[] = {"cleanup", "__cleanup__"};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
+ * A triangle mesh as a solid: signed distance from any point. The nearest triangle is found
  * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
  * is inside (Baerentzen and Aanaes 2005: a vertex's normals weighted by their angles). The
  * triangles must be counter-clockwise seen from outside. If the surface is open, the sign depends

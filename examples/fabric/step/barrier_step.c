@@ -288,9 +288,9 @@ static double lowest_part(double slope, double change, double part, double most)
     return curvature > 0 ? fmin(most, -slope / curvature) : most;
 }
 
-/* Line search: moves b->x by Newton's fraction of the displacement, halved until E does not grow,
- * or to a parabola's minimum if E is lower there. Returns 0 if E grew after all halvings, otherwise
- * 1. */
+/* Line search: moves b->x by the fraction `newton` (at most `most`) of the displacement, halved
+ * until E does not grow, or to the minimum of a parabola through the values if E is lower there.
+ * Returns 0 if E grew after all halvings, otherwise 1. */
 static int descend(simulation *sim, double newton, double most) {
     barrier *b = &sim->barrier->contact;
     const double before = potential(sim, read_only(b->x)), slope = sim->barrier->descent.slope;

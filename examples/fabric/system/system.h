@@ -43,8 +43,8 @@ void system_free(linear_system *s);
 /** Sets A = M and b = h m g: mass m [vertices] in kg, gravity g in m/s^2, step h in s. */
 void system_reset(linear_system *s, const double *mass, const double gravity[3], double h);
 
-/** Finds the indices in A of the blocks of each element's pairs of vertices, which ascend within an
- *  element: block [count * size (size + 1) / 2], (i,i) (i,j) ... (j,j) ... element by element. */
+/** Stores in block [count * size (size + 1) / 2], element by element, the indices in A of the
+ *  blocks (i,i) (i,j) ... (j,j) ... of the element's vertices i < j < ..., which must ascend. */
 void block_matrix_locate(const block_matrix *A, const element_list *list, int *block);
 
 void block_matrix_free(block_matrix *A);

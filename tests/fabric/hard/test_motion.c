@@ -77,7 +77,7 @@ static void force_at(simulation *sim, double (*x)[3], double (*v)[3], double *b)
 }
 
 /* Replaces A by the exact M - h^2 df/dx, from differences of the forces, without clamping or
- * Gauss-Newton. Vertices that share no element are not coupled, so A has blocks for all. */
+ * Gauss-Newton. Only vertices that share an element are coupled, so A has all blocks needed. */
 static void use_exact_jacobian(simulation *sim) {
     const int n = 3 * sim->mesh->vertex_count;
     const double d = 1e-6;
