@@ -298,8 +298,8 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
-/* Returns the number of executions that count after these timings, once the loop has a state; 0 if
- * it has none, or -1 if the state comes too early. */
+/* Returns the number of executions that the loop's new state counts after the last of these
+ * timings. Returns 0 if the loop gets no state, or -1 if it gets one before the last timing. */
 static int executions_that_count(const double *seconds, int timings) {
     void *word = NULL;
     for (int timing = 0; timing < timings; timing++) {

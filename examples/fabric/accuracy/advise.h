@@ -24,8 +24,9 @@ typedef struct advice {
 
 /**
  * Advises settings for an rms error (m) at the scene's end, with no more than `most_steps` steps.
- * Returns 0, or -1 after a message, or 1 with a reason in reason[256]: two integrators do not
- * agree, no run is exact enough, or a tiny change of the start changes the end too much.
+ * Returns 0, -1 after a message, or 1 with a reason in reason[256]. Reasons are: two integrators do
+ * not agree, no run has an error this small, or a tiny change of the start changes the end too
+ * much.
  */
 int advise(const scene *s, const mesh *cloth, double error, int most_steps, advice *result,
            char *reason);

@@ -61,8 +61,8 @@ int study_run(study *of, const char *experiment, const char *variant, const scen
               const mesh *cloth, double tolerance);
 /** Computes of->reference by the implicit midpoint, unless it exists, and of->reference_gap, its
  *  distance from BDF2. Doubles the number of steps until the gap is at most a tenth of the
- *  midpoint's error in the study's finest run, but at most three times, and not in a quick study.
- *  Returns 0, or -1 after a message. */
+ *  midpoint's error in the study's finest run. Doubles at most three times, and never in a quick
+ *  study. Returns 0, or -1 after a message. */
 int study_reference(study *of);
 /** Computes the errors of all rows against the reference, and finds the Pareto front. */
 void study_compare(study *of);

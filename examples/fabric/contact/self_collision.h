@@ -2,9 +2,9 @@
 /**
  * Self-collision. After the system is solved, velocities are changed so that in the step no vertex
  * passes a triangle and no edge passes an edge, and pairs nearer than the gap separate (Bridson,
- * Fedkiw and Anderson 2002): equal and opposite impulses along the normal, with friction, one pair
- * after the other in a fixed order. impact.h has the number of rounds and the treatment of pairs
- * that still pass.
+ * Fedkiw and Anderson 2002). One pair after the other, in a fixed order, gets equal and opposite
+ * impulses along the normal, with friction. impact.h has the number of rounds and the treatment of
+ * pairs that still pass.
  *
  * Candidate pairs come from a grid of the triangles' swept boxes. So that no pair is found twice,
  * each vertex and edge is assigned to one of its triangles (Curtis, Tamstorf and Manocha 2008).

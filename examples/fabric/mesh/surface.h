@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A triangle mesh as a solid: signed distance from any point. The nearest triangle is found
- * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
- * is inside (Baerentzen and Aanaes 2005: a vertex's normals weighted by their angles). The
+ * A triangle mesh as a solid: signed distance from any point. The nearest triangle is found in a
+ * tree of boxes. The pseudonormal of the nearest face, edge or vertex shows whether the point is
+ * inside (Baerentzen and Aanaes 2005: a vertex's normals weighted by their angles). The
  * triangles must be counter-clockwise seen from outside. If the surface is open, the sign depends
  * on which side of the nearest triangle the point lies.
  */

@@ -2,9 +2,9 @@
 /**
  * Solves the linear system of a step on the free directions of constrained vertices: conjugate
  * gradients with several preconditioners and precisions (solver_factor.h), or a direct solution
- * (solver_direct.h). Block-Jacobi, and Gauss-Seidel within domains, are parallel in double. The
- * bits of the result do not depend on the number of threads: sums are computed over chunks of
- * vertices whose size depends only on the number of vertices, and then over the chunks in order.
+ * (solver_direct.h). Block-Jacobi, and Gauss-Seidel in domains, are parallel in double. The bits of
+ * the result do not depend on the number of threads: sums are computed over chunks of vertices (or
+ * domains), and then over the chunks in order. The chunks depend only on the number of vertices.
  */
 #ifndef FABRIC_SOLVER_H
 #define FABRIC_SOLVER_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Smooths a mesh for pictures, so that they show folds and not triangles: each triangle becomes a
+ * Smooths a mesh for pictures, so that they show folds and not triangles. Each triangle becomes a
  * curved patch through its corners that follows the corners' normals (Vlachos and others, Curved PN
  * triangles, 2001). Patches that share a side share its curve.
  */

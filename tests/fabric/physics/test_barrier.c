@@ -71,8 +71,8 @@ static barrier one_pair(barrier_pair *pair, mesh *m, scene *s, int *owner) {
     return b;
 }
 
-/* barrier_allowed_part must not return a fraction of the displacement within which the features
- * pass at a sampled time, but it must return at least half of the fraction that is free. */
+/* No features may pass, at sampled times, within the fraction of the displacement that
+ * barrier_allowed_part returns. It must return at least half of the fraction that is free. */
 static void parts_of_ways_do_not_pass(void **state) {
     enum { samples = 2000 };
     unsigned seed = 9;

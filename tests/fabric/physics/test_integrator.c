@@ -68,8 +68,8 @@ static scene soft_scene(void) {
     return s;
 }
 
-/* Computes the force of every effect at x and v, N: the linear system for h = 1 without
- * derivatives. */
+/* Computes the sum f of all effects' forces at x and v, N: the right side of the linear system for
+ * h = 1, without the terms of derivatives. */
 static void force_at(simulation *sim, vectors x, vectors v, vectors f) {
     static const vectors none;
     const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;

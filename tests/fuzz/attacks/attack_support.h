@@ -59,8 +59,8 @@ void attack_reset_locale(void);
 /** Returns its argument, which the compiler cannot know. */
 void *attack_same(const void *p) __attribute__((const));
 /** Maps 1024 zeros at both[0] and at both[1], at the addresses of an earlier call. kind 0: two
- * objects; 1: one object, mapped twice; 2: one object, mapped twice at adjacent addresses; 3: one
- * object, which the second mapping shows until it is written to. */
+ * objects. 1: one object, mapped twice. 2: one object, mapped twice at adjacent addresses. 3: one
+ * object, of which the second mapping is private (copy-on-write). */
 void attack_map(unsigned long *both[2], int kind);
 /** For objects in pages of their own, which can only be read after attack_hold. */
 #define ATTACK_PAGE __attribute__((section("attack_pages"), aligned(4096)))
