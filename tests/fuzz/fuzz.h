@@ -20,7 +20,8 @@ void __assert_fail(const char *text, const char *file, unsigned line, const char
     ((condition) ? (void)0 : __assert_fail(#condition, __FILE__, __LINE__, __func__))
 /** In another file: ends the program. */
 void fuzz_fail(void) __attribute__((noreturn));
-/** In another file: their results depend on variables of the calling thread. */
+/** fuzz_level and fuzz_scaled are in another file. Their results depend on a variable of the
+ * calling thread, although they are declared pure and const. */
 double fuzz_level(int i) __attribute__((pure));
 double fuzz_scaled(double v) __attribute__((const));
 
@@ -52,6 +53,7 @@ enum fuzz_type {
 int fuzz_runs(unsigned long long seed);
 /** Starts the random values of one program. */
 void fuzz_seed(unsigned long long seed);
+/** Returns a random number in 0 ... n - 1. */
 int fuzz_below(int n);
 /** Fills `count` elements, `step` bytes apart, with floating-point values or with integers in 0 ...
  * below - 1. */

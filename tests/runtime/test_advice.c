@@ -199,8 +199,8 @@ static void a_sample_that_took_long_is_not_lost(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
-/* A slice that is more expensive than the body makes inspections too slow, and also threads that
- * find their iterations by the slice. */
+/* If the slice is more expensive than the body, inspections take too long. So do executions in
+ * which threads find their iterations by the slice. */
 static void an_expensive_slice_is_seen(void **state) {
     struct called *called = *state;
     problem_searches = 1000; /* 0.4 microseconds; the body takes some nanoseconds */

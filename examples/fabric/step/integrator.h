@@ -60,8 +60,8 @@ void integrator_accept(simulation *sim);
 
 /* Newton's method for the stage of an integrator: newton.c. */
 
-/** Assembles the system of Newton's first iteration: elastic forces expanded about x = X; damping
- *  enters as -D(X) (v_n + dv) with the damping matrix D and the velocity v_n at the step's
+/** Assembles the system of Newton's first iteration. Elastic forces are expanded about x = X.
+ *  Damping enters as -D(X) (v_n + dv) with the damping matrix D and the velocity v_n at the step's
  *  start. */
 void newton_assemble_at_base(simulation *sim);
 
