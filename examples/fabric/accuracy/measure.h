@@ -54,9 +54,9 @@ scene divided(const scene *s, int steps);
 /** Returns the scene whose generated mesh has the number of vertices multiplied by `factor`. */
 scene refined(const scene *s, double factor);
 
-/** Like `divided`, but with this integrator and tolerance. `tolerance` is that of Newton's method
- *  for integrators that use it, whose linear systems are then solved less accurately; otherwise it
- *  is that of the linear system. */
+/** Like `divided`, but with this integrator and tolerance. INTEGRATOR_LINEAR_EULER uses `tolerance`
+ *  for its linear system. Other integrators use it for Newton's method, and a tolerance of 0.1 for
+ *  their linear systems. */
 scene divided_by(const scene *s, int integrator, int steps, double tolerance);
 
 /** CPU seconds of this process, all threads. */

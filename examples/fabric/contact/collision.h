@@ -144,8 +144,8 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
 double collisions_keep_out(collisions *c, double time, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 
-/** Finds the colliders that may touch the cloth in the step, with velocities v + dv (dv NULL: v;
- *  v NULL: at rest). Later calls of the other functions test only these. */
+/** Finds the colliders that may touch the cloth in the step, with velocities v + dv. A NULL dv or v
+ *  stands for 0. Later calls of the other functions test only these colliders. */
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 

@@ -2,7 +2,7 @@
 /**
  * Bending, with its damping, at every hinge: two triangles that share an edge.
  *
- * The edge is x0 x1; the wings x2 and x3 are the triangles' third vertices; theta is the angle
+ * The edge is x0 x1. The wings x2 and x3 are the triangles' third vertices. theta is the angle
  * between the triangles (rad, 0: flat). Condition C, energy E (J) and damping force f (N) are
  *     C = sqrt(weight) theta     E = k C^2 / 2     f = -kd dC (dC . v)
  * with stiffness k (N m), damping kd (N m s), the gradient dC of C with respect to the positions,

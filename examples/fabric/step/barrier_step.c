@@ -312,9 +312,9 @@ static int descend(simulation *sim, double newton, double most) {
     return 1;
 }
 
-/* Computes the barrier's energy and the work of bodies in the step: the force on a body is the sum
- * of the elements' gradients at its vertices. The work of pins follows from the constraints'
- * residual. */
+/* Sets s->work to the work of bodies in the step plus the decrease of the barrier's energy. The
+ * force on a body is the sum of the elements' gradients at its vertices. The work of pins follows
+ * from the constraints' residual. Also counts the contacts and grips of the step. */
 static void settle(simulation *sim) {
     barrier_step *s = sim->barrier;
     const barrier *b = &s->contact;
