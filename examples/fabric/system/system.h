@@ -27,7 +27,8 @@ typedef struct linear_system {
     double (*b)[3]; /* [A.row_count] */
 } linear_system;
 
-/** Elements of one kind: `size` vertices each. Every pair of them has a block in A. */
+/** Elements of one kind, of `size` vertices each. Every pair of an element's vertices has a block
+ * in A. */
 typedef struct element_list {
     int count;
     int size;

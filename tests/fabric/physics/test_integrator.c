@@ -318,8 +318,8 @@ static void test_damping_forces(void **state) {
     end(&on);
 }
 
-/* Every integrator, with moving pins and a ball in the way, at a large step: pins are exact and
- * nothing enters the ball. */
+/* Every integrator that uses Newton's method, with moving pins and a ball in the way, at a large
+ * step: pins are exact and nothing enters the ball. */
 static void test_pins_and_contacts(void **state) {
     (void)state;
     pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 0.01}, .velocity = {0.1, 0, 0}};
