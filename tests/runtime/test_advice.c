@@ -247,8 +247,8 @@ static void short_loops_are_left_alone(void **state) {
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
-/* A loop in back-off stays sequential too, but is timed. Its subscripts are sampled in the last
- * call of the back-off. */
+/* A loop in back-off stays sequential, but each call is timed. Its subscripts are sampled in the
+ * last call of the back-off. */
 static void resting_loops_are_left_alone(void **state) {
     enum { REST = 16 };
     struct called *called = *state;
