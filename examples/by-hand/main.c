@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* by-hand check [CALLS]: executes CALLS times each loop written by hand for redcc and the
- * sequential loop, and compares all bits; status 1 if some differ. by-hand time LOOP SIDE ROUNDS:
+/* by-hand check [CALLS]: executes each loop CALLS times, both as written by hand for redcc and
+ * sequentially, and compares all bits; status 1 if some differ. by-hand time LOOP SIDE ROUNDS:
  * prints LOOP,version,median,10th percentile,90th percentile for each version, in milliseconds per
  * call. The versions take turns. */
 #include "kernels.h"

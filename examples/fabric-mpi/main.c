@@ -23,8 +23,8 @@ enum request { MAKE, START, FORCES, MISSED, SOLVE, DEFECT, IMPULSES, FREE, END }
 
 static bits_order bits;
 static part mine;
-/* These are set on the leader. current: the simulation whose parts the ranks have; started: a step
- * has begun; solved: a system has been solved, so all of PETSc's options have been read. */
+/* Only the leader sets these. `current` is the simulation whose parts the ranks have. `started`: a
+ * step has begun. `solved`: a system has been solved, so all of PETSc's options have been read. */
 static simulation *current;
 static int started, solved;
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The part of a cloth that one rank works on, as a separate mesh: the vertices that it owns, and
- * those that share a triangle or a hinge with one of them (ghosts), in the order of the whole mesh.
- * The part has every element that touches a vertex the rank owns, in the order of the whole mesh.
- * So a row of the linear system that the rank owns gets the terms of the sequential program in
- * their order, and no terms are summed over the network. Terms that the elements add to rows of
+ * The part of a cloth that one rank works on, as a separate mesh. It has the vertices that the rank
+ * owns, and ghosts, which share a triangle or a hinge with an owned vertex, in the whole mesh's
+ * order. The part has every element that touches a vertex the rank owns, in the order of the whole
+ * mesh. So a row of the linear system that the rank owns gets the terms of the sequential program
+ * in their order, and no terms are summed over the network. Terms that the elements add to rows of
  * ghosts are not used.
  *
  * Ownership is by blocks of vertices: blocks of SOLVER_CHUNK vertices with block-Jacobi, domains

@@ -8,8 +8,8 @@
 #include "base/words.h"
 #include "petsc_check.h"
 
-/* Options in which the one nearest to a misspelt option is searched: PETSc has no list of its
- * options. */
+/* The options among which the one nearest to a misspelt option is searched, because PETSc offers no
+ * list of its options. */
 static const char *const common[] = {"ksp_type",
                                      "ksp_rtol",
                                      "ksp_atol",

@@ -10,9 +10,9 @@
 
 enum { SIZE = 3 }; /* rows of a block */
 
-/* Numbers vertices for PETSc: owned vertices have consecutive numbers in the part's order. number
- * [mesh.vertex_count] also receives the numbers of ghosts; row [mesh.vertex_count] the local row,
- * or -1 for ghosts. */
+/* Numbers vertices for PETSc: owned vertices have consecutive numbers in the part's order.
+ * number[mesh.vertex_count] receives the numbers of all vertices, also of ghosts.
+ * row[mesh.vertex_count] receives the local rows, -1 for ghosts. */
 static void number_vertices(petsc_system *of, const part *p, int *number, int *row) {
     for (int i = 0; i < p->mesh.vertex_count; i++)
         row[i] = -1;

@@ -47,8 +47,8 @@ void petsc_system_free(petsc_system *of);
 /** Fills the matrix from the part's system and constraints, including those of ghosts. */
 void petsc_system_fill(petsc_system *of, const part *p);
 
-/** Copy value [mesh.vertex_count][3] of the vertices that the rank owns to a PETSc vector, and
- *  back. */
+/** petsc_system_put copies value [mesh.vertex_count][3] of the vertices that the rank owns to a
+ * PETSc vector. petsc_system_get copies the vector's values back. */
 void petsc_system_put(const petsc_system *of, const double (*value)[3], Vec to);
 void petsc_system_get(const petsc_system *of, Vec from, double (*value)[3]);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Solves the leader's system and returns its dv and residual. The product's bits are those of one
- * rank: a part's owned rows have all their blocks in the order of the whole matrix, so half_product
- * computes them as in the sequential program. */
+ * rank: a part has all blocks of its owned rows, in the order of the whole matrix. So half_product
+ * computes these rows as in the sequential program. */
 #include "solution.h"
 
 #include <stdlib.h>

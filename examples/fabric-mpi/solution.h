@@ -7,7 +7,8 @@
 
 #include "part.h"
 
-/** A system on the leader. */
+/** The linear system of the whole cloth, with its constraints, solution and residual. Only the
+ *  leader has it. */
 typedef struct whole_system {
     const linear_system *system;
     const constraints *given;

@@ -8,10 +8,10 @@
 
 /**
  * Creates a solver for systems of the part's layout, configured by PETSC_OPTIONS. The default is
- * `cg`, with the residual in the preconditioner's norm, as in fabric, and PETSc's preconditioner
- * that is nearest to the scene's: pbjacobi (block-jacobi), sor within each rank (gauss-seidel),
- * jacobi, none, bjacobi with icc within each rank (incomplete-cholesky). -ksp_rtol, -ksp_atol and
- * -ksp_max_it override the scene's limits. petsc_solver_free frees it.
+ * `cg`, with the residual in the preconditioner's norm, as in fabric. The default preconditioner is
+ * PETSc's nearest to the scene's: pbjacobi (block-jacobi), sor within each rank (gauss-seidel),
+ * jacobi, none, or bjacobi with icc within each rank (incomplete-cholesky). -ksp_rtol, -ksp_atol
+ * and -ksp_max_it override the scene's limits. petsc_solver_free frees it.
  */
 struct petsc_solver *petsc_solver_new(const part *p);
 void petsc_solver_free(struct petsc_solver *s);

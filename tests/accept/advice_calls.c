@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops changed as docs/reasons.md advises for calls (advice_updates.c explains BEFORE).
+// Loops from the section on calls in docs/reasons.md, and changed as it advises (advice_updates.c explains BEFORE).
 // CFLAGS: -Wno-unknown-pragmas
 // INTEGERS: no
 #include <assert.h>

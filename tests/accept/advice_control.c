@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops changed as docs/reasons.md advises for control flow (advice_updates.c explains BEFORE).
+// Loops from docs/reasons.md, section on control flow, and changed as it advises (advice_updates.c explains BEFORE).
 #include "case.h"
 
 enum { N = 2000, ROWS = 80 };

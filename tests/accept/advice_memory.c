@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops changed as docs/reasons.md advises for other memory (advice_updates.c explains BEFORE).
+// Loops from docs/reasons.md, section on other memory, and changed as it advises (advice_updates.c explains BEFORE).
 // CFLAGS: -Wno-unknown-pragmas
 #include <stdint.h>
 #include <string.h>

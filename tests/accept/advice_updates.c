@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops changed as docs/reasons.md advises for updates. With -DBEFORE each loop is the page's example and is
-// refused for the reason named. Without it the loop is changed as the page advises (tests/run/check-advice).
+// Loops from the section on updates in docs/reasons.md. With -DBEFORE, each loop marked BEFORE: REASON is an example
+// refused for that reason. Without it, the loops are changed as the page advises, and transformed (run/check-advice).
 #include <math.h>
 #include <string.h>
 #include "case.h"

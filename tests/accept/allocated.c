@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays that a function returns, whose result is converted to their type.
+// Pointers to the arrays are function results, converted from void * to the arrays' type.
 // MAY-RUN-SERIALLY: one loop reads the array that it updates
 // covers: row 50 of docs/constructs.md
 #include "case.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The array is named where only its type or size matters and no expression of the syntax tree shows it: in another
-// array's length, in a typeof, in a constant of the body, or in a macro that hides one of these.
+// The loop names the updated array where only the array's type or size matters, outside the syntax tree's expressions:
+// in another array's length, in a typeof, in a constant of the body, or in a macro that hides one of these.
 // covers: row 47 of docs/constructs.md
 #include "case.h"
 

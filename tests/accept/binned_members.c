@@ -1,5 +1,5 @@
 // Pairs of records: positions are read and forces updated through one pointer, as different members. The members read
-// lie between updated ones, but overlap none. Only the sum in memory may overlap any of them.
+// lie between updated ones and overlap none of these. Only the sum in memory, `*energy`, may overlap a member.
 // INTEGERS: no
 #include "case.h"
 
@@ -81,7 +81,7 @@ static void by_moved_pointers(int n, struct body *b, const int *first, const int
     }
 }
 
-/* The loop reads two members of `b`: `w` may alias the array and `count` the sum. */
+/* By their types, the member `w` may overlap the updated array `g`, and `count` may overlap the sum `*total`. */
 struct counted {
     double w, v;
     int count, other;

@@ -1,5 +1,5 @@
-// Inner loops with constant bounds update the parts of a row. Where WIDE, one record made before the inner
-// loop holds all its operands. Other loops make a record for each element.
+// Inner loops with constant bounds update the parts of a row. WIDE lists the loops for which one record, made
+// before the inner loop, holds all operands of that loop. Other loops make a record for each element.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
-// Pairs of points: the pointers read and updated have one type, a helper repeats until its value is in
-// range, and the inner loop accumulates sums. Reads may overlap updates.
+// Pairs of points: arrays read and arrays updated have one element type, a helper repeats a step until its
+// value is in range, and the inner loop accumulates sums. Reads may overlap updates.
 // INTEGERS: no
 #include "case.h"
 

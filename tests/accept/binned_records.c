@@ -1,6 +1,6 @@
 // What a binning record holds: operands in the types that they have in the expression, several
-// operands, several updates of an array; NaN, infinities, -0.0 and overflow; integers that may be
-// summed in private copies, and integers that may not.
+// operands, several updates of an array. Values are also NaN, infinities, -0.0 and overflow. Some
+// integers may be summed in private copies, others may not.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>

@@ -200,8 +200,8 @@ static void by_macro(int n, struct vector *restrict to) {
     }
 } // WIDE: 197
 
-// These loops get records of single elements: rows of two sizes, one updated element per row, rows
-// that are no whole number of elements, more values than a record holds.
+// These loops get records of single elements. They have rows of two sizes, one updated element per row,
+// rows whose size is no multiple of the element's, or more values than a record holds.
 static void no_rows(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         grid[i1[t] / 10][i2[t] % 10][0] += w[t];

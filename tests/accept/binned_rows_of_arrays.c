@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows of arrays in bins: an inner loop over a row becomes one record, whose operands are read when it is applied.
-// Rows are two-dimensional, flat, of records, overlapping, or before the array's base. Loops over constants read
-// centres. In other loops the inner header sets values that the record cannot hold.
+// Rows of arrays in bins: an inner loop over a row becomes one record, whose operands are read when it is applied. Rows
+// of matrices, of flat arrays and of members, overlapping rows, and rows in front of the address that a pointer holds.
+// The last functions get no such records, because the inner loop's header sets an operand, the row or the bound.
 #include <math.h>
 
 #include "case.h"

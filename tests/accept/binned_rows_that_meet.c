@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The loops of binned_rows_of_arrays.c with points or centres that are sums. A guard detects the overlap in time.
+// Loops as in binned_rows_of_arrays.c, but points or centres overlap the sums. A guard detects this before it matters.
 // MAY-RUN-SERIALLY: reads overlap updates
 #define _GNU_SOURCE
 #include <sys/mman.h>

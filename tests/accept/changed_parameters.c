@@ -3,7 +3,7 @@
 // INTEGERS: no
 // MAY-RUN-SERIALLY: tables may overlap the updated array
 // Look-up functions that change their parameters, or set a local variable several times, before they use it as a
-// subscript. The table may be the updated array; only correct subscripts reveal that.
+// subscript. The table may be the updated array: the guard detects this only if it computes the subscripts correctly.
 #include "case.h"
 
 enum { N = 3000, CELLS = 90, FAR = 40 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Macros that contain comments, one of them on each line. If a comment and then a backslash end a
-// line, generated text must not split the comment's end mark.
+// A macro that contains comments, some as lines of their own. The end mark of a comment may stand
+// directly before the backslash that ends a line. Generated text must not split this mark.
 #include "case.h"
 
 enum { N = 6000, M = 400 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Subscripts from pure look-up functions. The table's contents change between calls at the same addresses, so
-// a plan that was wrongly kept shows.
+// a plan that is wrongly reused changes the result.
 // covers: row 17, row 71 of docs/constructs.md
 #include "case.h"
 

@@ -1,5 +1,5 @@
-// Loops over pairs, cut into tiles: row and column counters with j > i or j < i, in several spellings. NOT-TILED
-// marks similar loops in which two turns conflict in other ways than by an equal row or column.
+// Loops over pairs, cut into tiles: row and column counters with j > i or j < i, in several spellings. NOT-TILED lists
+// similar loops in which two inner iterations may conflict although neither their rows nor their columns are equal.
 // THREADS: 3 33
 // INTEGERS: no
 // CFLAGS: -Wno-unknown-pragmas

@@ -49,8 +49,8 @@ static void half_list(int n) {
     }
 }
 
-/* The function's variables: each is set again before use; or the next turn, or code after the loop, reads it; or a
- * turn reads it without setting it. */
+/* Variables of the function. In some loops each inner iteration sets them before use. In others the next inner
+ * iteration or code after the loop reads them, or an inner iteration reads one without setting it. */
 static void names_of_the_function(int n) {
     int i, j, k, a, c;
     double dx, r2, e;

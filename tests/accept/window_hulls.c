@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// Windows whose first and last rows hold all extreme addresses: the inspector visits these alone (HULL). Similar ones.
+// Windows. HULL marks those whose first and last rows contain all extreme addresses: the inspector visits only these.
 #include "case.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// Tables outside the loop: an inner loop fills them, and others with the same header read them, for any bounds.
+// Tables declared outside the loop: an inner loop fills them, and inner loops with the same header read them.
 #include "case.h"
 
 enum { N = 1500, SIDE = 24, TABLE = 12 };

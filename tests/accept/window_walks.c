@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // CFLAGS: -Wno-sign-compare
 // INTEGERS: no
-// Tables outside the loop that pointers step through: an inner loop fills them, others with the same header read them.
+// Tables declared outside the loop, through which pointers step: inner loops with one header fill them and read them.
 #include "case.h"
 
 enum { N = 1500, SIDE = 24, TABLE = 12 };

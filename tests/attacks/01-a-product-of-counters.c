@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A function reads a[i * j] for both counters of its loops: the range of x that it reads ends at the
-// product of the largest counters, which may be inside h.
+// A function reads a[i * j], where i and j are the counters of its loops. So the range of x that it
+// reads ends at the product of the largest counters, and this element may be in h.
 #include <stdio.h>
 
 enum { N = 4000, LAST = 36 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Unsigned subscripts that wrap around: in iterations that do not read (by an if, a continue, a
-// conditional expression, a nested block, or a conversion), and between two that do. The extent of
+// Unsigned subscripts that wrap around in iterations that do not read, or between two iterations that
+// do. An if, a continue, a conditional expression, a block or a conversion skips reads. The extent of
 // x must contain all elements read, or the guard misses the overlap with h.
 #include <stdio.h>
 #include <sys/mman.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Look-ups with a narrow cursor that wraps around to 0, with a start that its type changes, or with
-// a result that the function's type changes. Before a plan is reused, the elements compared must be
-// those that are read.
+// Look-ups whose narrow cursor wraps around to 0, or in which the conversion to a narrower type
+// changes the start or the result. Before a plan is reused, redcc compares the elements on which it
+// depends: these must be the elements that the look-up reads.
 #include <stdio.h>
 
 enum { N = 4000, ROOM = 600 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// With -ffast-math the compiler may round each copy of an expression differently, and also the rest
-// of the file, where it inlines other functions (attack 71). Only files without floating-point
-// arithmetic keep their bits (71-integers-by-387.c).
+// With -ffast-math the compiler may round each copy of an expression differently. It may also round
+// the rest of the file differently, because it inlines other functions there (attack 71). Only files
+// without floating-point arithmetic keep their bits (71-integers-by-387.c).
 // CFLAGS: -O2 -ffast-math
 #include <stdio.h>
 

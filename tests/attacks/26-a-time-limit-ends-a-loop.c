@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* A signal handler leaves the computation by siglongjmp (POSIX). The program then clears the array that it left, and
- * later loops run as usual. Output does not depend on how far the first loop came. */
+ * later loops run as usual. The output does not depend on how far the first loop got. */
 // THREADS: 2 3 7
 // METHODS: localwrite auto
 // SECONDS: 60

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The inspector may have to read where an array that the loop updates tells it to. Before the loop
-// the array's values are invalid subscripts, far outside the program's memory, until earlier
-// iterations make them valid. For comparison the same loops run in parallel on disjoint arrays.
+// The subscripts that the inspector reads may come from an array that the loop updates. Before the
+// loop the array's values are invalid subscripts, far outside the program's memory; iterations make
+// them valid before others use them. For comparison the same loops run in parallel on disjoint arrays.
 // METHODS: auto localwrite localwrite-direct localwrite-steal graph-localwrite wavefront
 #include <stdio.h>
 #include <stdlib.h>

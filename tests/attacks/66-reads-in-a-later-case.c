@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// After the loop the program reads the last x. In the text a write of x precedes the read, but a path
-// skips it: another case of a switch, or an initialiser evaluated earlier. For comparison: functions
-// that write x on every path.
+// After the loop the program reads x, set by the last iteration. In the text a write of x precedes the
+// read, but it may not be executed: it is in another case of a switch, or in an initialiser evaluated
+// earlier. For comparison: functions that write x on every path.
 #include <stdio.h>
 
 enum { N = 20000 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// An assignment inside an operand that is never evaluated, as of sizeof. After the loop it writes
-// nothing, so the loop's last value is read; within the loop it steps nothing. For comparison: the
-// same assignments where they are evaluated.
+// An assignment in an operand that is never evaluated, such as sizeof's. After the loop it changes
+// nothing, so the loop's last value is read. Within the loop it does not step a counter. For
+// comparison: the same assignments where they are evaluated.
 #include <stdio.h>
 
 enum { N = 20000 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// After the loop the program has OpenMP directives whose clauses read the loop's last value, or
-// give a construct its own copy, so that an assignment in it writes another variable. For
+// After the loop the program has OpenMP directives. Their clauses read the loop's last value, or give
+// a construct its own copy of the variable, so an assignment in it does not change the value. For
 // comparison: the same function without directives.
 // CFLAGS: -O2 -fopenmp
 #include <omp.h>

@@ -3,7 +3,8 @@
 // METHODS: auto
 // LINK: -lm
 // Long loops that are executed once. `auto` executes their first iterations in order and the others as a separate loop.
-// This must not affect values that depend on the iteration's number, values after the loop, or detected overlaps.
+// This must change neither values that depend on the iteration's number, nor values after the loop, nor whether
+// overlaps are detected.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

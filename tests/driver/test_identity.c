@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which tests of compiler properties in a source have different results under libclang and the
- * compiler. */
+/** Conditions in a source that test compiler properties: finds those whose results differ between
+ * libclang and the compiler. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Checkpoint files that are truncated at many lengths, have a bit flipped in each byte, or contain
- * random values with a correct checksum. They must be refused, or at least do no harm. */
+/* Checkpoint files that are truncated at many lengths, or have flipped bits. Those with a wrong
+ * checksum must be refused. Those with a correct one must at least do no harm. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -168,8 +168,8 @@ static void seal(unsigned char *all, size_t count) {
     memcpy(all, &header, sizeof header);
 }
 
-/* Random values with a correct checksum may be refused or accepted, but must do no harm. Steps from
- * accepted values must end as well. */
+/* Files with flipped bits and a correct checksum may be refused or accepted, but must do no harm.
+ * Steps from an accepted state must end as well. */
 static void test_sealed_nonsense(void **unused) {
     static unsigned char changed[sizeof bytes];
     unsigned long long random = 1;

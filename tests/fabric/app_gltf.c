@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Animated glTF files: this file reads every number back from the JSON and base64 text, compares
- * the binary form with it, and checks what another program's reader finds. */
+/* Animated glTF files: this test reads every number back from the JSON and base64 text, compares
+ * the binary form with it, and checks what the library assimp reads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

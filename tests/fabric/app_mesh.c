@@ -296,8 +296,8 @@ static void test_orders_keep_the_mesh(void **unused) {
 #endif
 }
 
-/* The numbers of any order lead back to the original. An array that is no permutation is refused,
- * and nothing changes. */
+/* mesh_renumber undoes each order. It refuses an array that is no permutation, and then changes
+ * nothing. */
 static void test_orders_are_undone(void **unused) {
     (void)unused;
     char error[256];

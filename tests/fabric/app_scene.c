@@ -220,8 +220,8 @@ static void test_set_wrong(void **unused) {
     scene_free(&s);
 }
 
-/* A collider from a mesh file is found relative to the scene's folder, and written with its whole
- * path. */
+/* A collider's mesh file is searched for relative to the scene's folder, and its whole path is
+ * written. */
 static void test_mesh_collider(void **unused) {
     scene s, again;
     (void)unused;
@@ -264,8 +264,8 @@ static void check_solid(const char *faces, const char *expected) {
     check_wrong(16, text, message);
 }
 
-/* A mesh that is no surface of a solid is refused, since it would push the cloth in the wrong
- * direction. */
+/* Meshes whose signed distance would have the wrong sign are refused, since they would push the
+ * cloth in the wrong direction. An open surface is accepted. */
 static void test_bad_solids(void **unused) {
     (void)unused;
     check_solid("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", NULL);

@@ -20,7 +20,8 @@ void __assert_fail(const char *text, const char *file, unsigned line, const char
     ((condition) ? (void)0 : __assert_fail(#condition, __FILE__, __LINE__, __func__))
 /** In another file: ends the program. */
 void fuzz_fail(void) __attribute__((noreturn));
-/** In another file: their results depend on variables of the calling thread. */
+/** fuzz_level and fuzz_scaled are in another file. Their results depend on a variable of the
+ * calling thread, although they are declared pure and const. */
 double fuzz_level(int i) __attribute__((pure));
 double fuzz_scaled(double v) __attribute__((const));
 
@@ -52,14 +53,15 @@ enum fuzz_type {
 int fuzz_runs(unsigned long long seed);
 /** Starts the random values of one program. */
 void fuzz_seed(unsigned long long seed);
+/** Returns a random number in 0 ... n - 1. */
 int fuzz_below(int n);
 /** Fills `count` elements, `step` bytes apart, with floating-point values or with integers in 0 ...
  * below - 1. */
 void fuzz_fill(void *to, int count, size_t step, enum fuzz_type type, int below);
 /** For k < below, sets to[k] to less than k, or to 0; for k >= below, sets it to 0. */
 void fuzz_fill_chain(int *to, int count, int below);
-/** Fills in numbers that never decrease, in steps of 0, 1 and 2. A smaller mask makes fewer
- * steps. */
+/** Fills `to` with numbers that begin with 0 and never decrease: to[i] exceeds to[i - 1] by
+ * (i & mask) % 3. */
 void fuzz_fill_first(int *to, int count, int mask);
 /** Fills in numbers in 0 ... below - 1, and some far out of range. */
 void fuzz_fill_far(int *to, int count, int below);

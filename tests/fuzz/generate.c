@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * generate FIRST COUNT [--only=S,S...] [--without=N,N...] [--crlf]
+ * generate FIRST COUNT [--only=S,S...] [--without=N,N...] [--crlf] [--statements]
  *
  * Prints a C program that consists of COUNT random programs, with the seeds FIRST ... FIRST + COUNT
  * - 1. Each is a kernel with separate memory, and depends only on its seed. --only selects the
- * seeds named, --without leaves out the statements with these numbers, and --statements prints the
- * number of statements.
+ * seeds named, --without leaves out the statements with these numbers, and --crlf ends lines with
+ * CR LF. --statements prints only the number of statements of the last program.
  */
 #include <stdio.h>
 

@@ -145,11 +145,14 @@ bool chance(kernel *k, int percent);
 int below(kernel *k, int n);
 /** Adds the name to the list. */
 void add_name(names *list, const char *name);
+/** Returns a name of the list at random. */
 const char *any_name(kernel *k, const names *list);
-/** Appends statements: an update; a loop over the parts of rows, with updates. */
+/** Appends an update. */
 void plain_update(kernel *k);
+/** Appends a loop over the parts of rows, with updates. */
 void loop_over_parts(kernel *k);
-/** Begins a numbered statement. end_statement removes it if its number is to be left out. */
+/** begin_statement begins a numbered statement. end_statement removes the statement if its number
+ * is in `without`. */
 size_t begin_statement(kernel *k);
 void end_statement(kernel *k, size_t begin);
 
@@ -183,8 +186,8 @@ const char *update(kernel *k, const array *a, const char *where);
 void statement(kernel *k);
 void block(kernel *k, int count);
 void inner_loop(kernel *k);
-/** An element that the iteration stores may be read further below; in nearly_stored_again it only
- * seems to be the same. */
+/** stored_again appends a store to an element that later statements of the iteration may read. With
+ * nearly_stored_again the value that they read may differ from the one stored. */
 void stored_again(kernel *k);
 void nearly_stored_again(kernel *k);
 /** Appends a read of the iteration's own element. Returns a statement that stores to this element
@@ -195,8 +198,8 @@ void filling_operand(kernel *k);
 /** Appends sums in members of a record, accessed by name or through a pointer. */
 void sum_in_memory(kernel *k);
 void bait(kernel *k);
-/** Like statement and bait, but only in programs with even seeds, so that odd seeds yield the same
- * programs as before. */
+/** The functions down to recent_shape append statements only in programs with some seeds, as their
+ * files say, so that other seeds yield the same programs as before. */
 void wide_statement(kernel *k);
 void wide_bait(kernel *k);
 void rows_behind_pointers(kernel *k);
@@ -207,7 +210,7 @@ void idiom(kernel *k);
 void shape_of_an_attack(kernel *k);
 void leave_or_look(kernel *k);
 void recent_shape(kernel *k);
-/** Appended after the other loops: a loop for OpenMP. */
+/** Appends a loop with OpenMP directives, behind the other loops. */
 void loop_with_directives(kernel *k);
 void loop_along_a_list(kernel *k);
 void walk_along_elements(kernel *k);
@@ -222,8 +225,9 @@ void declare_outside(kernel *k, const char *type, const char *name, const char *
 void make_world(kernel *k);
 /** Declares the memory of the arrays. */
 void put_objects(kernel *k, buffer *b);
-/** Return the kernel's parameters with parentheses, and the arguments of a call. */
+/** Returns the kernel's parameters with parentheses. */
 const char *parameters(kernel *k);
+/** Returns the arguments of a call of the kernel. */
 const char *arguments(kernel *k);
 /** Appends the function that fills the arrays, calls the kernel and prints the results. */
 void put_runner(kernel *k, buffer *b);

@@ -415,8 +415,8 @@ static void put_all(kernel *k, buffer *b) {
         k->globals.length ? k->globals.data : "");
     if (chance(k, 5))
         put(k, b, "#line %d \"made_%llu.y\"\n", 10 + below(k, 500), seed);
-    /* The generated code of functions with attributes is in the loop's place, that of others before
-     * the function. */
+    /* redcc puts the code that it generates for a function with attributes in the loop's place, and
+     * for other functions in front of the function. */
     put(k, b, "static %svoid kernel_%llu%s {\n",
         seed % 4 == 3 ? "__attribute__((aligned(32))) " : "", seed, parameters(k));
     put(k, b, "    (void)n, (void)c, (void)v, (void)live;\n%s%s",

@@ -64,8 +64,8 @@ int fuzz_below(int n) {
     return (int)(any() % (unsigned)n);
 }
 
-/* Returns a value that uses all bits of a double, over several binades; or an integer in -4 ...
- * 4. */
+/* Returns a random value that uses all bits of a double, over several binades. If is_integral,
+ * returns an integer in -4 ... 4. */
 static double value(void) {
     if (is_integral)
         return fuzz_below(9) - 4;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops along lists: each turn finds its rows, computes, and updates them, or does something that
- * affects later turns. Only in programs with seed % 7 == 6. */
+/* Inner loops along lists: each inner iteration finds its rows, computes and updates them, or does
+ * something that affects later inner iterations. Only in programs with seed % 7 == 6. */
 #include "fuzz/kernel.h"
 
 static void put_row(kernel *k, const char *name) {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Internal interface of the reader of the text form. Each function that fails has set `message`.
- */
+/** Internal interface of the reader of the IR's text form. A function that fails sets `message`. */
 #ifndef IR_IR_READER_H
 #define IR_IR_READER_H
 
@@ -31,6 +30,7 @@ const ir_type *ir_read_type(ir_reader *r, const sexp *atom, size_t skip);
 const char *ir_key_name(arena *a, const char *key);
 /** Reads "begin-end" after the first `skip` bytes of the atom. */
 bool ir_read_range(ir_reader *r, const sexp *atom, size_t skip, ir_range *range);
+/** Reads an integer after the first `skip` bytes of the atom. */
 bool ir_read_integer(ir_reader *r, const sexp *atom, size_t skip, int64_t *value);
 
 /** Makes a variable with this key. Fails if there is one already. */

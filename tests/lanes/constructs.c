@@ -596,8 +596,8 @@ static void lifted_computed_between_updates(int n, const struct element *restric
     }
 }
 
-/* Loops with different trip counts, with break and continue; a function; an array that only the
- * updates use. */
+/* Inner loops whose trip counts differ between lanes, with break and continue. Also an array that
+ * only the updates use. */
 static void lifted_searches_between_updates(int n, const struct element *restrict e,
                                             const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {

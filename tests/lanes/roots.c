@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* If the processor has such vectors, redcc_lanes_sqrt and redcc_any are compared with the library's
- * sqrt: the bits, and errno if a lane is negative. Nothing here is translated. Prints the vector
- * width. */
+/* Compares redcc_lanes_sqrt with the library's sqrt (bits, and errno if a lane is negative), and
+ * checks redcc_any. Prints the vector width, or an empty line if redcc/lanes.h has no vectors for
+ * the processor. This file is not translated. */
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>

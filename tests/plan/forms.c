@@ -63,8 +63,8 @@ void repeated(int n, const int *restrict s, const double *w, double *h) {
     }
 }
 
-/* The inner counter may never reach the bound: its type has not all values of the bound's type, or
- * the comparison converts it. */
+/* The inner counter may never reach the bound: its type does not have all values of the bound's
+ * type, or the comparison converts it. */
 void never_reached(int n, long m, unsigned u, unsigned long lu, double x, const int *restrict s,
                    const double *w, double *h) {
     for (int t = 0; t < n; t++) { // PLAN: compared before

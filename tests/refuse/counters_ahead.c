@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The header compares a sum of the counter, but the trip count does not follow from it. The sum may
- * wrap around or be converted, or it does not add a constant to the counter. */
+/* The header compares an expression of the counter, but the trip count does not follow from it. The
+ * expression may wrap around or be converted, or it is not the counter plus a constant. */
 // covers: row 8 of docs/constructs.md
 // covers: row 10 of docs/constructs.md
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that differ in one point from those of accept/headers.c: header variables carry values, or copies change them.
+// Unlike in accept/headers.c, header variables carry values between iterations, or a conversion changes a first value.
 // covers: row 94 of docs/constructs.md
 enum { N = 4000 };
 extern int s[N];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Accesses to the array that its name does not show.
+// Accesses to the updated array that do not use the array's name.
 // covers: row 14, row 25, row 29, row 44 of docs/constructs.md
 #include <stdlib.h>
 #include <string.h>

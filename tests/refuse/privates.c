@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays private to an iteration, of which an iteration may read elements that it has not written.
+// Arrays that would be private to an iteration, but an iteration may read elements that it has not written.
 // covers: row 58, row 59, row 60 of docs/constructs.md
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that differ in one point from those of accept/reads_in_functions.c: the functions' reads are unknown.
+// Unlike in accept/reads_in_functions.c, redcc cannot determine which elements the functions read.
 // covers: row 80, row 81 of docs/constructs.md
 
-/* `last` is the subscript of the previous turn. */
+/* `last` is the subscript that the previous iteration used. */
 static double before(const double *x, const int node[4]) {
     double sum = 0;
     int last;

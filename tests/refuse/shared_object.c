@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// With -fPIC the program may replace a function that the shared object exports by its own.
+// With -fPIC a program may define a function that the shared object exports, and so replace it.
 // FLAGS: -fPIC
 double half(double v) {
     return v * 0.5;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that differ in one point from those of accept/walkers.c: pointers are unknown, or only some threads step them.
+// Loops that differ in one point from those of accept/walkers.c: how the pointer is set, stepped, passed on or used.
 // covers: row 47, row 89 of docs/constructs.md
 enum { N = 4000 };
 extern int place[N], length[N];

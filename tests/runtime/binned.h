@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops with one update, in the form that redcc generates for binning (redcc/bins.h) and as the
- * plain loop:
+ * Loops with one update, in the form that redcc generates for binning (redcc/bins.h), and as plain
+ * loops:
  *
  *     for (t = 0; t < trip; t++)
  *         STATEMENT, which updates r, the row at subscript k[t], by e, the contribution value[t]

@@ -114,9 +114,9 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
         it->so_far.total += call->sequential;
 }
 
-/* Simulates a trial of binning: one round of a 16th of the loop, as many sequential iterations,
- * then rounds each as long as all before, or shorter if the loss that remains permitted requires
- * it. */
+/* Simulates a trial of binning: a round of a 16th of the loop, and as many sequential iterations.
+ * Then each round is as long as all earlier ones together, or shorter, so that the loss stays
+ * within may_lose. */
 static void try_bins(struct simulation *it, const struct simulated_call *call, double may_lose) {
     const double more = call->execution[WAY_BINS] - call->sequential, start = start_left(it);
     const double least = 1.0 / 16;

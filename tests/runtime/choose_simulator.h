@@ -67,8 +67,8 @@ struct simulated {
                        */
 };
 
-/** Simulates the trace, beginning with a zero state. Asserts that each decision is within the
- * answer of redcc_reach, which is called without kept plans and with half of the starting time. */
+/** Simulates the trace, beginning with a zero state. Asserts that redcc_reach, which is called
+ * without kept plans and with half of the starting time, permits each decision. */
 struct simulated simulate(const struct trace *trace);
 
 #endif

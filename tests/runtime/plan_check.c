@@ -58,8 +58,8 @@ static void record_visits(const struct plan *plan, struct visit *visit) {
     }
 }
 
-/* Checks that iteration t updates the element after the preceding one. *last is 1 + the number of
- * the iteration that updated it before, or 0. */
+/* Checks that iteration t updates the element after the iteration that updated it last. *last is 1
+ * + that iteration's number, or 0 if there is none; afterwards t + 1. */
 static void check_update(const struct visit *visit, long t, long *last) {
     const struct visit *before = *last > 0 ? &visit[*last - 1] : NULL;
     if (before && *last != t + 1 && before->stage >= visit[t].stage) {

@@ -199,8 +199,8 @@ static void a_sample_that_took_long_is_not_lost(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
-/* A slice that is more expensive than the body makes inspections too slow, and also threads that
- * find their iterations by the slice. */
+/* If the slice is more expensive than the body, inspections take too long. So do executions in
+ * which threads find their iterations by the slice. */
 static void an_expensive_slice_is_seen(void **state) {
     struct called *called = *state;
     problem_searches = 1000; /* 0.4 microseconds; the body takes some nanoseconds */
@@ -247,8 +247,8 @@ static void short_loops_are_left_alone(void **state) {
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
-/* A loop in back-off stays sequential too, but is timed. Its subscripts are sampled in the last
- * call of the back-off. */
+/* A loop in back-off stays sequential, but each call is timed. Its subscripts are sampled in the
+ * last call of the back-off. */
 static void resting_loops_are_left_alone(void **state) {
     enum { REST = 16 };
     struct called *called = *state;
@@ -298,8 +298,8 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
-/* Returns the number of executions that count after these timings, once the loop has a state; 0 if
- * it has none, or -1 if the state comes too early. */
+/* Returns the number of executions that the loop's new state counts after the last of these
+ * timings. Returns 0 if the loop gets no state, or -1 if it gets one before the last timing. */
 static int executions_that_count(const double *seconds, int timings) {
     void *word = NULL;
     for (int timing = 0; timing < timings; timing++) {

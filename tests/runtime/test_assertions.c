@@ -4,8 +4,8 @@
  *
  *     for (t = 0; t < TRIP; t++) b[row[t]] += t;    row[t] = t
  *
- * A correct schedule does not stop them. In that loop every iteration must be executed; most
- * iterations touch two rows of different owners, the others touch nothing. */
+ * A correct schedule does not stop the program. The last test has a plan in which every iteration
+ * must be executed, although every third touches nothing; the others touch two rows. */
 #include "loop.h"
 #include "settings.h"
 

@@ -150,8 +150,8 @@ static void bins_without_an_estimate(void **unused) {
     free(trace);
 }
 
-/* From call 100 on a guard forbids binning, which was faster, in each call and only after some
- * time. */
+/* Binning is faster in the first 100 calls. From then on a guard ends it in each call, after some
+ * time has been lost. */
 static void bins_that_are_refused(void **unused) {
     (void)unused;
     struct trace *trace = in_bins(400, 0.5);

@@ -155,8 +155,8 @@ static void check_lists(const struct touched *it, const struct clusters *cluster
     assert_int_equal(at, clusters->share[thread].list.count);
 }
 
-/* Joins clusters until there are at most `most`. Returns the number of rounds, and sets `of`
- * [UNITS] to the units' clusters. */
+/* Joins clusters until there are at most `most`. Returns the number of rounds. Sets `of` [UNITS] to
+ * the units' clusters and *count to the number of clusters. */
 static int cluster(const struct touched *it, uint32_t most, int threads, uint32_t *of,
                    uint32_t *count) {
     static struct access_log logged[THREADS_MOST];

@@ -74,7 +74,7 @@ static const struct cutting measured[] = {
     {651387, 4, 10, 0.120}, /* bending */
 };
 
-/* The estimate must be slightly above the measured time, since an underestimate would begin useless
+/* The estimate must be 1.2 to 2 times the measured time, since an underestimate would begin useless
  * work. */
 static void cutting_is_expected_to_take_as_long_as_it_took(void **unused) {
     (void)unused;

@@ -220,8 +220,8 @@ static void auto_takes_levels_where_no_cut_serves(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Each allocation before the levels exist fails once: the results must be correct, and no memory
- * may leak. */
+/* Before the levels exist, all allocations fail from one allocation on, which is a later one each
+ * time. The results must be correct, and no memory may leak. */
 static void memory_fails_on_the_way(void **unused) {
     (void)unused;
     /* FIRST: the call in which auto tries the graph; STEP: for speed, only every STEP-th allocation

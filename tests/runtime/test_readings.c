@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Subscripts whose ranges overlap, such as row_start[i] and row_start[i + 1], or two fields of a
- * record. Each byte is read once, and no change that one of them reads is missed. */
+ * record. Each byte is read once, and no change of a byte in one of the ranges is missed. */
 #include "reuse/kept.h"
 
 #include <math.h>

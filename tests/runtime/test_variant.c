@@ -11,9 +11,9 @@
 
 #include <cmocka.h>
 
-/* Sets made[] to the number of slices executed without and with prefetches. There are `executions`
- * executions of this many iterations per thread. An iteration takes seconds[with]; every third
- * slice takes half as long again. */
+/* Makes `executions` executions of this many iterations per thread. Sets made[] to the numbers of
+ * slices executed without prefetches, [0], and with them, [1]. An iteration takes seconds[0]
+ * without and seconds[1] with prefetches; every third slice takes half as long again. */
 static void execute(struct variants *it, bool open, int executions, redcc_int iterations,
                     const double seconds[VARIANTS], int made[VARIANTS]) {
     memset(made, 0, VARIANTS * sizeof *made);

@@ -170,8 +170,8 @@ static void by_moving_watched_pages_here(struct fixture *fixture) {
                      fixture->place);
 }
 
-/* Moves pages likewise. Then other pages of the mapping are tracked, which registers the mapping
- * with the system again. */
+/* Moves pages as by_moving_watched_pages_here does. Then other pages of the mapping are tracked,
+ * which registers the mapping with the system again. */
 static void by_moving_and_watching_beside(struct fixture *fixture) {
     by_moving_watched_pages_here(fixture);
     const uintptr_t end = (uintptr_t)fixture->place + fixture->place_bytes;

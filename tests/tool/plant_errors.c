@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* redcc with deliberate faults, linked with --wrap=emit_file: after the text of a loop with one of
- * the words below has been generated, it is damaged. */
+/* redcc with deliberate faults, linked with --wrap=emit_file: if the text generated for a loop
+ * contains plants[].word, the first plants[].right in it is replaced by plants[].wrong. */
 #define _GNU_SOURCE /* memmem */
 #include <string.h>
 

@@ -267,7 +267,7 @@ static void test_empty_and_odd_sources(void **state) {
 }
 
 /* The function of a cleanup attribute is called at the end of the scope, with the variable's
- * address. */
+ * address. So the attribute becomes an opaque child of the variable's declaration. */
 static void test_cleanup_attribute_is_opaque(void **state) {
     (void)state;
     static const char *const spellings[] = {"cleanup", "__cleanup__"};
@@ -319,8 +319,8 @@ static void test_depth(void **state) {
     arena_free(a);
 }
 
-/* Many functions that call each other, and many errors: the work must be proportional. Quadratic
- * work would take minutes here. */
+/* Many functions that call each other, and many errors: the work must be proportional to their
+ * number. Quadratic work would take minutes here. */
 static void test_many_functions(void **state) {
     (void)state;
     enum { COUNT = 5000 };

@@ -28,7 +28,9 @@ enum { ANY_REJECTIONS = -1 };
 simulation *study_simulation(const mesh *cloth, const scene *s);
 
 /** Runs all steps of the scene `repeat` times. Returns 0, or -1 after a message if out of memory or
- *  if the scene cannot be set up. A run that does not finish is a result, not an error. */
+ *  if the scene cannot be set up. A run that fails, or in which the monitor rejects more than
+ *  most_rejections steps (ANY_REJECTIONS: no limit), is a result that is not `finished`, and no
+ *  error. */
 int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result);
 void measured_free(measured *m);
 
@@ -52,9 +54,9 @@ scene divided(const scene *s, int steps);
 /** Returns the scene whose generated mesh has the number of vertices multiplied by `factor`. */
 scene refined(const scene *s, double factor);
 
-/** Like `divided`, but with this integrator and tolerance. `tolerance` is that of Newton's method
- *  for integrators that use it, whose linear systems are then solved less accurately; otherwise it
- *  is that of the linear system. */
+/** Like `divided`, but with this integrator and tolerance. INTEGRATOR_LINEAR_EULER uses `tolerance`
+ *  for its linear system. Other integrators use it for Newton's method, and a tolerance of 0.1 for
+ *  their linear systems. */
 scene divided_by(const scene *s, int integrator, int steps, double tolerance);
 
 /** CPU seconds of this process, all threads. */

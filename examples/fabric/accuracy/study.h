@@ -59,16 +59,17 @@ double scene_stiffness(const scene *s);
  *  Returns 0, or -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
               const mesh *cloth, double tolerance);
-/** Computes of->reference by the implicit midpoint. Doubles the number of steps until BDF2 differs
- *  from it by at most a tenth of the midpoint's error in the study's finest run. Returns 0, or -1
- *  after a message. */
+/** Computes of->reference by the implicit midpoint, unless it exists, and of->reference_gap, its
+ *  distance from BDF2. Doubles the number of steps until the gap is at most a tenth of the
+ *  midpoint's error in the study's finest run. Doubles at most three times, and never in a quick
+ *  study. Returns 0, or -1 after a message. */
 int study_reference(study *of);
 /** Computes the errors of all rows against the reference, and finds the Pareto front. */
 void study_compare(study *of);
 /**
  * Returns 0 if reference_gap is at most a tenth of the smallest error of the rows. Otherwise
- * removes from the rows all errors below ten times the gap, and returns -1 after a message. Always
- * 0 in a quick study.
+ * returns -1 after a message, and removes from the rows all errors below ten times the gap (none if
+ * there is no reference). Always returns 0 in a quick study.
  */
 int study_trusts_reference(study *of);
 /** Opens folder/NAME for a table with other columns, and writes the line of column names. Returns

@@ -19,8 +19,8 @@
 #include "step/integrator.h"
 #include "step/simulation_state.h"
 
-/* Writes the energy over time of the scene without damping and drag, with the middle number of
- * steps. */
+/* Runs the scene without damping and drag (tangential drag remains) in the middle one of the
+ * study's numbers of steps, and writes the energy over time. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
@@ -41,8 +41,8 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     return 0;
 }
 
-/* Writes the outcome of a run of at least 3 steps and about 0.1 s with this step and stiffness:
- * whether it finishes, and whether steps were halved. */
+/* Runs the scene with this step and stiffness for about 0.1 s and at least 3 steps, and writes the
+ * outcome: whether the run finishes, and whether steps were halved. */
 static int write_survival(study *of, integrator_kind kind, double step, double stretch,
                           FILE *file) {
     static const char *const outcomes[] = {"finished", "halved", "gave up"};

@@ -62,8 +62,8 @@ int options_read(const command *of, int argc, char **argv, void *request, option
  *  option `name`. */
 int options_choice(const options *o, const char *name, const char *const *choices);
 
-/** Stores o->value in *text. Returns 0, or EXIT_USAGE after a message if *text is set already, in
- *  which `what` names the word, such as "folder". */
+/** Stores o->value in *text and returns 0. If *text is set already, returns EXIT_USAGE after a
+ *  message in which `what`, such as "folder", names the word. */
 int options_only_word(const options *o, const char **text, const char *what);
 
 /** Prints a message after "PROGRAM COMMAND: " on standard error. Returns EXIT_USAGE. */

@@ -5,8 +5,9 @@
 
 #include "base/options.h"
 
-/** Runs the command that argv[1] names and sets program_name. `purpose` is the first sentence of
- *  --help. Returns the exit status, which is EXIT_USAGE if there is no such command. */
+/** Sets program_name, then runs the command that argv[1] names, or answers --help (whose first
+ *  sentence is `purpose`) or --version. Returns the exit status, which is EXIT_USAGE if there is no
+ *  such command. */
 int program_run(const char *purpose, const command *const *commands, int count, int argc,
                 char **argv);
 

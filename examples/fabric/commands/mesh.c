@@ -142,8 +142,8 @@ static int write_numbers(const char *name, const int *number, int count) {
     return 0;
 }
 
-/** Reads `count` numbers from a file that must have no more. Returns 0, or -1 with a message in
- *  error. */
+/** Reads `count` numbers from a file that must contain exactly as many. Returns 0, or -1 with a
+ *  message in error. */
 static int read_numbers(const char *name, int *number, int count, char *error) {
     FILE *file = fopen(name, "r");
     int read = 0, more;

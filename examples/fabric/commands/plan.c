@@ -33,8 +33,9 @@ static void print_events(const scene *s) {
         putchar('\n');
 }
 
-/* Resident memory, bytes, of code and libraries' tables that are first touched in the first steps
- * (0.7 to 1.2 MiB measured), or by the first direct solution in CHOLMOD and BLAS. */
+/* Resident memory, bytes, of code and libraries' tables. text_of_steps: first touched in the first
+ * steps (0.7 to 1.2 MiB measured). text_of_direct: by the first direct solution, in CHOLMOD and
+ * BLAS. */
 static const double text_of_steps = 0.9 * 1024 * 1024, text_of_direct = 0.8 * 1024 * 1024;
 
 /* Memory of the process before the cloth is made. */

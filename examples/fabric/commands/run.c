@@ -158,8 +158,9 @@ static int take_step(cloth_run *run) {
     return 0;
 }
 
-/** Writes the outputs of a step: a frame and a checkpoint, if due. `ends` is true after the last
- *  step of this process. Returns 0, or -1 after a message. */
+/** Writes the step's frame if it is one, and a checkpoint if one is due or if the process ends
+ *  before the run's last step. `ends` is true after the last step of this process. Returns 0, or -1
+ *  after a message. */
 static int keep_step(cloth_run *run, int ends) {
     const long every = run->record.every;
     const int done = run->record.step == run->of.time.steps;

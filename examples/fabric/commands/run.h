@@ -41,9 +41,9 @@ typedef struct cloth_run {
     run_account account;
 } cloth_run;
 
-/** Creates the folder and removes an older run's results, so that they are not mistaken for this
- *  run's. A resumed run keeps its frames up to record.step and its checkpoint. Returns 0, or -1
- *  after a message. */
+/** Names and creates the run's folder, removes an older run's results from it, and writes
+ *  scene.yaml. A resumed run keeps its checkpoint, and its frames up to record.step. Returns 0, or
+ *  -1 after a message. */
 int run_prepare_folder(cloth_run *run, const run_request *r);
 
 /** If record.step is a frame, writes its state for pictures. Returns 0, or -1 after a message. */

@@ -44,8 +44,8 @@ static int read_wanted_scene(cloth_run *run, const run_request *r) {
     return make_settings(&run->of, &r->settings);
 }
 
-/** Chooses the number of steps: the option's, or the checkpoint's if the command line names a
- *  scene. Returns 0, or -1 after a message. */
+/** Chooses the number of steps: the option's or, if the command line names a scene, the
+ *  checkpoint's. Returns 0, or -1 after a message if the checkpoint is of a later step. */
 static int choose_steps(cloth_run *run, const run_request *r) {
     if (r->steps != NOT_GIVEN)
         run->of.time.steps = (int)r->steps;

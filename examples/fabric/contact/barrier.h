@@ -143,17 +143,20 @@ typedef struct barrier_crossing {
 /** Called for each crossing; a status other than 0 ends the search. */
 typedef int barrier_visitor(void *context, const barrier *b, const barrier_crossing *found);
 
-/** Visits all crossings at b->x of cloth with itself and with bodies; an edge that two triangles
- *  share is visited twice. Returns the visitor's last status, or -1 if out of memory. */
+/** Visits the crossings at b->x of cloth with bodies and, if the scene has self-collision, with
+ *  itself, until the visitor returns a status other than 0. An edge that two triangles share is
+ *  visited twice. Returns the visitor's last status (0 if there is no crossing), or -1 if out of
+ *  memory. */
 int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *context);
 
 /** Moves the cloth at b->x out of itself and out of bodies, as far as possible. Returns 0, or -1 if
- *  out of memory or if a number is not finite. barrier_check_start tests whether a crossing is
- *  left. */
+ *  out of memory or if a number is not finite. barrier_check_start tests whether a crossing
+ *  remains. */
 int barrier_untangle(barrier *b);
 
-/** Tests the cloth's start, after barrier_find_pairs at b->x. Returns -1 if the cloth crosses or
- *  touches itself or a body, with features, depth and a remedy in error[200]; otherwise 0. */
+/** Tests the cloth's start, after barrier_find_pairs at b->x. Returns 0, or -1 if the cloth crosses
+ *  or touches itself or a body or starts in one, with features, depth and a remedy in error[200].
+ *  Returns -1 also if out of memory. */
 int barrier_check_start(barrier *b, char *error);
 
 /** Finds the pair's nearest points at positions x of its vertices. */

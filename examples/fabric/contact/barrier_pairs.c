@@ -32,9 +32,9 @@ static double greatest_approach(const int vertex[4], const double (*displacement
     return of[0] + of[1];
 }
 
-/* Returns the reach of a pair of the cloth: the gap, but for features of one component at most half
- * their rest distance and at least a hundredth of the gap. Otherwise triangles smaller than the gap
- * would repel their neighbours. */
+/* Returns the reach of a pair of the cloth: the gap. For features of one component the reach is at
+ * most half their rest distance, but at least a hundredth of the gap. Otherwise triangles smaller
+ * than the gap would repel their neighbours. */
 static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     const double gap = b->scene->self_collision.gap;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Rejects starts with edges through triangles, vertices in solid bodies or features that touch. The
- * message names the first such feature by the vertex numbers of the mesh file (from 1). */
+ * message names the first such features by the vertex numbers of the mesh file (from 1). */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -93,8 +93,8 @@ static int find_block(const block_matrix *A, int row, int column) {
     return low;
 }
 
-/* Finds where the element's blocks are stored; transposes those that would lie below the diagonal.
- */
+/* Sets place[] to the indices in A of the element's blocks, or to -1 for blocks with a vertex of a
+ * body. Transposes blocks that would lie below the diagonal. */
 static void locate(const barrier *b, const block_matrix *A, barrier_element *e, int place[10]) {
     int k = 0;
     for (int p = 0; p < 4; p++)

@@ -86,8 +86,8 @@ static void feature_normal(const untangling *u, int count, const int *vertex, do
     vector_unit(normal, normal);
 }
 
-/* Sums, for each pair of parts, the heights of vertices of one above (> 0) or below triangles of
- * the other. */
+/* Sums in u->side, for each pair of parts, the heights of one part's vertices above (> 0) or below
+ * near triangles of the other. Returns 0, or -1 if out of memory or if a number is not finite. */
 static int find_sides(untangling *u) {
     barrier *b = u->b;
     const double gap = b->search.gap;

@@ -3,11 +3,12 @@
  * Cloth against colliders and pins, as constraints on vertices' velocities.
  *
  * The velocity of a vertex in contact is prescribed along the normal, so that it ends the step at
- * the gap; the contact ends when the constraint has pulled for two steps. Friction is Coulomb's: a
- * vertex sticks (its whole velocity is prescribed: the collider's) while the tangential force is at
- * most friction x normal force. Otherwise it slides. The friction force, computed with the normal
- * force of the step before, enters the linear system as -c (v - v_collider) in the tangential plane
- * with c = h friction force / slip speed, so that it never reverses a motion.
+ * the collider's gap. The contact ends when the constraint has pulled for two steps. Friction is
+ * Coulomb's: a vertex sticks (its whole velocity is prescribed: the collider's) while the
+ * tangential force is at most friction x normal force. Otherwise it slides. The friction force is
+ * computed with the normal force of the step before. It enters the linear system as -c (v -
+ * v_collider) in the tangential plane with c = h friction force / slip speed, and so never reverses
+ * a motion.
  */
 #ifndef FABRIC_COLLISION_H
 #define FABRIC_COLLISION_H
@@ -55,7 +56,7 @@ typedef struct met_triangles {
 } met_triangles;
 
 /** Colliders that the cloth cannot reach for some time: all that are not in `watched`. They are
- *  tested again when the cloth or one of them may have moved far enough. */
+ *  tested again when the cloth and the nearest of them may have moved so far that they meet. */
 typedef struct out_of_reach {
     int *watched;     /* [count] indices of the colliders to be tested, ascending */
     int count;        /* -1: all are to be tested */
@@ -122,8 +123,8 @@ void collisions_free(collisions *c);
 /** Updates pins and colliders to those that exist at `time`. */
 void collisions_follow(collisions *c, double time);
 
-/** Finds the vertices that would come too near to a collider in a step of h s that begins at `time`
- *  (s) with positions x and velocities v; dv is the expected change of velocity. */
+/** Finds the vertices that would come too near to a collider in a step of h s. The step begins at
+ *  `time` (s) with positions x and velocities v; dv is the expected change of velocity. */
 void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
                        const double (*v)[3], const double (*dv)[3]);
 
@@ -143,8 +144,8 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
 double collisions_keep_out(collisions *c, double time, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 
-/** Finds the colliders that may touch the cloth in the step, with velocities v + dv (dv NULL: v;
- *  v NULL: at rest). Later calls of the other functions test only these. */
+/** Finds the colliders that may touch the cloth in the step, with velocities v + dv. A NULL dv or v
+ *  stands for 0. Later calls of the other functions test only these colliders. */
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 

@@ -45,8 +45,8 @@ static int may_meet(const collider *k, const double p[3][3], const double u[3][3
     return shape_distance(k, middle, normal) <= radius + displacement + 2 * k->gap;
 }
 
-/* Bounds the distance of far triangles from below by one distance per vertex: a point of a triangle
- * is nearer than its first corner by at most the longer edge at that corner, and no vertex moves
+/* Bounds the distance of far triangles from below by one distance per vertex. A point of a triangle
+ * is nearer than its first corner by at most the longer edge at that corner. No vertex moves
  * farther than the longest displacement. */
 typedef struct clearances {
     const double *distance; /* [vertices] m, distance to the collider as the step begins; NULL:

@@ -34,8 +34,8 @@ static double little(const impact_step *s) {
     return 1e-3 * fmin(own, s->bodies->met.gap) / s->h;
 }
 
-/* Gives rounds of impulses to the pairs and triangles found last, until they change little. Returns
- * whether a velocity was changed. */
+/* Gives rounds of impulses to the pairs and triangles found last, until the largest change of a
+ * velocity is small or no round is left. Returns whether a velocity was changed. */
 static int push_until_settled(impact_step *s, double *own_work, double *body_work) {
     double largest = push(s, own_work, body_work);
     const int changed = largest > 0;

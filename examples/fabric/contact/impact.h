@@ -2,9 +2,9 @@
 /**
  * After the system is solved, velocities are changed so that in the step the cloth passes neither
  * through itself nor through a body. Both are handled together, since an impulse of one may have to
- * be undone by the other: rounds of impulses over the cloth's own pairs, the vertices that came too
- * near to a body, and the triangles that a body penetrates between their vertices. Features that
- * still pass after that move as one rigid body: impact zones.
+ * be undone by the other. Each round gives impulses to the cloth's own pairs, to the vertices that
+ * came too near to a body, and to the triangles that a body penetrates between their vertices.
+ * Features that still pass after the rounds move as one rigid body: impact zones.
  */
 #ifndef FABRIC_IMPACT_H
 #define FABRIC_IMPACT_H
@@ -33,10 +33,10 @@ int impact_resolve(impact_step *step, double *work);
  * between them.
  *
  * Joins the vertices of passing pairs to zones. Each zone gets the velocities of a rigid body with
- * the zone's linear and angular momentum; a zone with vertices that a pin or contact holds moves
- * with their mean velocity. Zones grow by pairs that pass at their boundary, until none does or the
- * number of rounds is exhausted. Adds the required energy to *work, J. s->left counts the pairs
- * that still pass. Returns 0, or -1 if out of memory.
+ * the zone's linear and angular momentum. But a zone with vertices that a pin or contact holds
+ * moves with their mean velocity. Zones grow by pairs that pass at their boundary, until none does
+ * or the number of rounds is exhausted. Adds the required energy to *work, J. s->left counts the
+ * pairs that still pass. Returns 0, or -1 if out of memory or if a number is not finite.
  */
 int impact_zones_make(self_collision *s, const movable *of, double h, const double (*x)[3],
                       double (*v)[3], double *work);

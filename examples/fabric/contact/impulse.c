@@ -10,7 +10,7 @@ int movable_is_held(const movable *of, int vertex) {
 }
 
 /* Returns the speed, m/s, at which the vertex moves away from its contact's body, less the speed
- * that the contact prescribes, or 0 if that is within the rounding of v. */
+ * that the contact prescribes. A difference within the rounding of v, or below 0, counts as 0. */
 static double leaving_speed(const contact *touch, const double v[3]) {
     static const double rounding = 1e-9;
     const double speed = vector_dot(touch->normal, v) - touch->speed;

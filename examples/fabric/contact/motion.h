@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Positions and motions of colliders. A collider without keyframes moves at a constant velocity.
- * One with keyframes moves and rotates at constant rates between two of them, and rests before the
- * first and after the last; it rotates about its turn_axis through its position. In a step that
- * contains a keyframe it moves with its mean velocity over the step.
+ * One with keyframes moves and rotates at constant rates between consecutive keyframes, and rests
+ * before the first and after the last. It rotates about its turn_axis through its position. In a
+ * step that contains a keyframe it moves with its mean velocity over the step.
  *
  * Contact is found in the body's own axes, in which a vertex starts the step at p and ends it at
- * p + u. The path between is approximated by a straight line: for a body that rotates by the angle
+ * p + u. The path from p to p + u is taken as a straight line: for a body that rotates by the angle
  * a, the error is a^2 / 8 of the distance to its axis. Both ends are exact.
  */
 #ifndef FABRIC_MOTION_H

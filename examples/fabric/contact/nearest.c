@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each function finds the nearest points in the features' interiors, if there are any (for nearly
- * parallel edges only if they are the nearest). Otherwise it takes the nearest of the points on the
- * borders. At a border both cases agree, so it does not matter how rounding decides. */
+/* Both public functions first compute the nearest points of the plane and the point, or of the two
+ * lines. If these lie strictly inside the features, they are the result; for nearly parallel edges
+ * only if no border point is nearer. Otherwise the nearest border point wins. At a border both give
+ * the same points, so it does not matter which case rounding selects. */
 #include "nearest.h"
 
 #include <string.h>

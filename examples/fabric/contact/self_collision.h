@@ -2,9 +2,9 @@
 /**
  * Self-collision. After the system is solved, velocities are changed so that in the step no vertex
  * passes a triangle and no edge passes an edge, and pairs nearer than the gap separate (Bridson,
- * Fedkiw and Anderson 2002): equal and opposite impulses along the normal, with friction, one pair
- * after the other in a fixed order. impact.h has the number of rounds and the treatment of pairs
- * that still pass.
+ * Fedkiw and Anderson 2002). One pair after the other, in a fixed order, gets equal and opposite
+ * impulses along the normal, with friction. impact.h has the number of rounds and the treatment of
+ * pairs that still pass.
  *
  * Candidate pairs come from a grid of the triangles' swept boxes. So that no pair is found twice,
  * each vertex and edge is assigned to one of its triangles (Curtis, Tamstorf and Manocha 2008).
@@ -61,8 +61,8 @@ typedef struct self_grid {
     self_pairs part[SELF_PARTS]; /* results of the last search */
 } self_grid;
 
-/** Contact of two features: weights of the four vertices, the unit normal from the second
- *  feature to the first, and the distance at the beginning of the step. */
+/** Contact of two features: weights of the four vertices, and the unit normal from the second
+ *  feature to the first. */
 typedef struct self_contact {
     double weight[4];
     double normal[3];
@@ -75,8 +75,8 @@ typedef struct self_demand {
     self_contact contact;
 } self_demand;
 
-/** Finds pairs that can be skipped: a pair that needed no impulse needs none while its vertices
- * keep their velocities. Time stamps count rounds and impulses since the search. */
+/** Shows which pairs can be skipped: a pair that needed no impulse needs none while its vertices
+ *  keep their velocities. Time stamps count rounds and impulses since the search. */
 typedef struct self_history {
     int now, round_start; /* the current time; the time at which the current round began */
     int *vertex;          /* [vertices] time of the last change of its velocity */

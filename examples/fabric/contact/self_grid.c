@@ -52,8 +52,8 @@ static double mean_extent(const self_collision *s) {
     return sum / (3.0 * s->bodies_from);
 }
 
-/* Computes the box around all that the cloth sweeps. Bodies' triangles outside of it get no
- * cell. */
+/* If there are bodies, computes the box around all that the cloth sweeps. Bodies' triangles outside
+ * of this box get no cell. */
 static void bound_cloth(self_collision *s) {
     for (int a = 0; a < 3; a++) {
         s->grid.cloth[0][a] = INFINITY;

@@ -57,7 +57,8 @@ static void nearest_on_edges(const double x[4][3], double weight[4]) {
 }
 
 /* Projects the vertex onto the triangle's plane and computes the weights of vertex and projection.
- * Returns the projection's least barycentric coordinate: below 0, it is outside of the triangle. */
+ * Returns the projection's least barycentric coordinate, which is below 0 if the projection is
+ * outside of the triangle. Returns -1 for a triangle without area. */
 static double foot_in_plane(const double x[4][3], double weight[4]) {
     double one[3], other[3], from[3];
     vector_subtract(x[2], x[1], one);

@@ -21,8 +21,8 @@ double shape_inner_radius(const collider *k);
  * Distances change by no more than the displacement of the fastest corner (conservative
  * advancement, Mirtich 1996), so neither thin nor fast colliders are missed. The nearest point is
  * found by subdivision. Parts that cannot contain it are skipped by a lower bound on their
- * distance: the distance's tangent plane for convex colliders, the part's radius for a mesh (with a
- * tolerance of half the gap).
+ * distance. For convex colliders the bound is the distance's tangent plane. For a mesh it follows
+ * from the part's radius (with a tolerance of half the gap).
  */
 int shape_meets_triangle(const collider *k, const double p[3][3], const double u[3][3],
                          double weight[3], approach *found);

@@ -2,7 +2,7 @@
 /**
  * Bending, with its damping, at every hinge: two triangles that share an edge.
  *
- * The edge is x0 x1; the wings x2 and x3 are the triangles' third vertices; theta is the angle
+ * The edge is x0 x1. The wings x2 and x3 are the triangles' third vertices. theta is the angle
  * between the triangles (rad, 0: flat). Condition C, energy E (J) and damping force f (N) are
  *     C = sqrt(weight) theta     E = k C^2 / 2     f = -kd dC (dC . v)
  * with stiffness k (N m), damping kd (N m s), the gradient dC of C with respect to the positions,
@@ -43,8 +43,8 @@ typedef struct hinge_material {
     double bend_damping; /* N m s */
 } hinge_material;
 
-/** Takes over the mesh's hinges, except those with a triangle that has no rest shape. Returns 0, or
- *  -1 if out of memory. */
+/** Copies the mesh's hinges, except those with a triangle that has no rest shape. Returns 0, or -1
+ *  if out of memory. */
 int hinge_elements_init(hinge_elements *e, const mesh *m);
 /** Makes hinge_energy_at cache the angles that it computes. Returns 0, or -1 if out of memory. */
 int hinge_elements_cache_angles(hinge_elements *e);

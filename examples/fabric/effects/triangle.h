@@ -38,7 +38,7 @@ typedef struct triangle_material {
     double stretch_damping, shear_damping; /* N s/m */
 } triangle_material;
 
-/** Takes over the mesh's triangles, except those without a rest shape (mesh_rest.h), which carry no
+/** Copies the mesh's triangles, except those without a rest shape (mesh_rest.h), which exert no
  *  force. Returns 0, or -1 if out of memory. */
 int triangle_elements_init(triangle_elements *e, const mesh *m);
 /** Fills `block`. Returns 0, or -1 if out of memory. */

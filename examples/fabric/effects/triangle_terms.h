@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * One triangle's stretch and shear: the force and its derivatives (triangle.h has the energies).
- * `effects` is a constant at each call, so that each loop contains only the terms of its effects.
+ * The argument `effects` of triangle_force is a constant at each call, so that the compiler removes
+ * the terms of other effects.
  */
 #ifndef FABRIC_TRIANGLE_TERMS_H
 #define FABRIC_TRIANGLE_TERMS_H

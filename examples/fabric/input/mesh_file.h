@@ -16,8 +16,9 @@ int mesh_file_read(mesh *m, const char *path);
  *  Returns 0, or -1 with a message in error[256]. */
 int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *error);
 
-/** Reads a collider's surface. Returns NULL if the file cannot be read or is not the surface of a
- *  solid (surface_check); error[256] then names the defect, its position and the expected value. */
+/** Reads a collider's surface. Returns NULL with a message in error[256] if the file cannot be
+ *  read, surface_check finds a defect (the message then also has its position, if known), no
+ *  triangle has an area, or memory runs out. */
 surface *surface_read(const char *path, char *error);
 
 #endif

@@ -38,7 +38,7 @@ typedef enum mesh_order {
 int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned seed, char *error);
 
 /** Makes edges and hinges from the triangles. An edge of three triangles or more is counted in
- *  *non_manifold; its first two triangles make the hinge. Returns 0, or -1 with a message in
+ *  *non_manifold; its first two triangles form the hinge. Returns 0, or -1 with a message in
  *  error[256]. */
 int mesh_connect(mesh *m, int *non_manifold, char *error);
 

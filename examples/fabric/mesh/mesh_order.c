@@ -53,8 +53,8 @@ void mesh_sort_triangles(mesh *m) {
     qsort(m->triangle, (size_t)m->triangle_count, sizeof *m->triangle, compare_3);
 }
 
-/** Sorts edges (first < second in each) and hinges (likewise their shared edge) by their vertices.
- */
+/** Makes the two vertices of each edge, and of each hinge's shared edge, ascend. Then sorts edges
+ *  and hinges by their vertices. */
 static void sort_edges(mesh *m) {
     for (int e = 0; e < m->edge_count; e++)
         if (m->edge[e][0] > m->edge[e][1]) {

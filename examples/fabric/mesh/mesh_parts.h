@@ -9,8 +9,8 @@
  *  empty mesh if out of memory. mesh_free frees it. */
 int mesh_allocate(mesh *m, int vertices, int triangles);
 
-/** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1], each once or twice
- *  (an edge inside belongs to two triangles). */
+/** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1]. A neighbour occurs
+ *  once for each triangle of the edge to it, so usually twice. */
 typedef struct mesh_graph {
     int vertex_count;
     int *start;
@@ -35,10 +35,10 @@ int mesh_order_by_dissection(const mesh *m, int *new_of_old, char *error);
 void mesh_sort_triangles(mesh *m);
 
 /**
- * Puts `count` points into the square [-1/2, 1/2]^2: the first `boundary` (>= 4, corners included)
- * on its border, the others inside, irregular but of even density, and well away from the border.
- * Only +, -, *, / and square roots are used, so the seed determines every bit. points: [count].
- * Returns 0, or -1 if out of memory.
+ * Puts `count` points into the square [-1/2, 1/2]^2. The first `boundary` (>= 4, corners included)
+ * lie on its border. The others lie inside, irregular but of even density, at least half a spacing
+ * from the border. Only +, -, *, / and square roots are used, so the seed determines every bit.
+ * points: [count]. Returns 0, or -1 if out of memory.
  */
 int mesh_points(double (*points)[2], int count, int boundary, unsigned seed);
 

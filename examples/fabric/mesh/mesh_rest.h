@@ -46,9 +46,9 @@ typedef struct mesh_problem {
 int mesh_check_numbers(const mesh *m, char *error);
 
 /** Removes duplicate triangles and those with a vertex twice; to be called before mesh_connect.
- *  Sets these two entries of found [MESH_PROBLEM_COUNT], and the others to none. Returns 0, or -1
- *  with a message in error[256] if a number is not finite, a vertex does not exist, or no triangle
- *  is left. */
+ *  Counts the removed ones in their entries of found [MESH_PROBLEM_COUNT], and sets all other
+ *  entries to none. Returns 0, or -1 with a message in error[256] if a number is not finite, a
+ *  vertex does not exist, no triangle is left, or memory runs out. */
 int mesh_clean(mesh *m, mesh_problem *found, char *error);
 
 /** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. Returns 0, or -1

@@ -122,8 +122,8 @@ static void bound(const surface *s, tree_node *node, int first, int count) {
     }
 }
 
-/* Splits the triangles at the middle of the box's longest edge. Returns the number of triangles
- * below it, or 0 if all are on one side. */
+/* Splits the triangles at the middle of the box's longest edge: moves those whose centre lies below
+ * it to the front. Returns their number, or 0 if all are on one side. */
 static int split(surface *s, const tree_node *node, int first, int count) {
     int axis = 0, at = first;
     for (int a = 1; a < 3; a++)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
- * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
- * is inside (Baerentzen and Aanaes 2005: a vertex's normals weighted by their angles). The
+ * A triangle mesh as a solid: signed distance from any point. The nearest triangle is found in a
+ * tree of boxes. The pseudonormal of the nearest face, edge or vertex shows whether the point is
+ * inside (Baerentzen and Aanaes 2005: a vertex's normals weighted by their angles). The
  * triangles must be counter-clockwise seen from outside. If the surface is open, the sign depends
  * on which side of the nearest triangle the point lies.
  */
@@ -41,8 +41,8 @@ typedef struct surface_fault {
 /**
  * Looks for a defect that would change the sign of distances: two triangles of the same three
  * vertices, an edge of more than two triangles, an edge between triangles of opposite orientation,
- * or a closed surface that faces inwards. Stops at the first one. Open surfaces are accepted.
- * Returns 0, or -1 if out of memory.
+ * or a closed surface that faces inwards. Open surfaces are accepted. *fault receives the first
+ * defect found; its `what` is NULL if there is none. Returns 0, or -1 if out of memory.
  */
 int surface_check(const mesh *m, surface_fault *fault);
 

@@ -55,7 +55,8 @@ struct scene_key {
 };
 
 /** Returns the kind of the section or item in `struct_`, for `of_kinds`, or -1 if it has no kinds.
- *  The first key holds the kind: it is named `kind`, or is not in files. */
+ *  A section with kinds stores the kind at its first key, which is named `kind`, or has an empty
+ *  name if files do not contain it. */
 int scene_kind(const scene_key *keys, const void *struct_);
 
 /** Does a section or item of this kind have the key in files? */

@@ -170,7 +170,7 @@ static void update_direction(solver *s, int chunk, double beta) {
     }
 }
 
-/* Does all of an iteration except the product A p. *rz is r'Pr, before and after. Returns p'Ap; if
+/* Does all of an iteration except the product A p. *rz is r'Pr, which it updates. Returns p'Ap; if
  * that is not positive, dv and r do not change. */
 static double iterate(solver *s, const constraints *c, double (*dv)[3], double *rz) {
     const double before = *rz;

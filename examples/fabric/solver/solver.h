@@ -2,9 +2,9 @@
 /**
  * Solves the linear system of a step on the free directions of constrained vertices: conjugate
  * gradients with several preconditioners and precisions (solver_factor.h), or a direct solution
- * (solver_direct.h). Block-Jacobi, and Gauss-Seidel within domains, are parallel in double. The
- * bits of the result do not depend on the number of threads: sums are computed over chunks of
- * vertices whose size depends only on the number of vertices, and then over the chunks in order.
+ * (solver_direct.h). Block-Jacobi, and Gauss-Seidel in domains, are parallel in double. The bits of
+ * the result do not depend on the number of threads: sums are computed over chunks of vertices (or
+ * domains), and then over the chunks in order. The chunks depend only on the number of vertices.
  */
 #ifndef FABRIC_SOLVER_H
 #define FABRIC_SOLVER_H
@@ -81,9 +81,9 @@ typedef struct solver_limits {
 /** Allocates a solver with block-Jacobi conjugate gradients in double. Returns 0, or -1 if out of
  *  memory. */
 int solver_init(solver *s, int count);
-/** Selects another method, after solver_init, for matrices of A's layout. Frees the arrays for
- *  block-Jacobi and solver_defect if neither is needed. Keeps a reference to A. Returns 0, or -1
- *  with a message in error[256]. */
+/** Selects another method, after solver_init, for matrices of A's layout. Frees the arrays that
+ *  only block-Jacobi and solver_defect use, unless the method or options->needs_defect requires
+ *  them. Keeps a reference to A. Returns 0, or -1 with a message in error[256]. */
 int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error);
 void solver_free(solver *s);
 

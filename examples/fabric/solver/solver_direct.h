@@ -24,7 +24,8 @@ double direct_solver_work(const direct_solver *d);
 void direct_solver_memory(const direct_solver *d, double *held, double *more);
 
 /** Gives the solution of solver_solve up to rounding errors, without limits. Counts a factorisation
- *  as one iteration. Returns SOLVER_BREAKDOWN if A is not positive definite. */
+ *  as one iteration. Returns SOLVER_BREAKDOWN if A is not positive definite, or SOLVER_NOT_FINITE
+ *  if a number is not finite or memory runs out. */
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,
                                   const constraints *c, double (*dv)[3], long *iterations);
 

@@ -60,7 +60,7 @@ static void begin(domain_solver *d) {
     }
 }
 
-/* Does all of an iteration except the product with `between`. *square is r . r, before and after.
+/* Does all of an iteration except the product with `between`. *square is r . r, which it updates.
  * Returns p . image; if that is not positive, correction and residual do not change. Every thread
  * adds up the domains' sums itself. */
 static double finish_iteration(domain_solver *d, double *square) {

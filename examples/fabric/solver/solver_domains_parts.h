@@ -64,7 +64,7 @@ void domain_sweep_up(const domain_solver *d, int domain, const double (*from)[3]
 void domain_sweep_down(const domain_solver *d, int domain, double (*r)[3]);
 
 /** Completes the transformation of the residual after domain_scale and the even domains' downward
- *  sweep. Returns its squared norm, r' M^-1 r with the preconditioner M. */
+ *  sweep. Returns the domain's part of its squared norm, r' M^-1 r with the preconditioner M. */
 double domain_transform(domain_solver *d, int domain);
 
 /** Begins an iteration: computes t, and w without its product with `between`. If `between` has only
@@ -72,12 +72,12 @@ double domain_transform(domain_solver *d, int domain);
  *  t of odd domains. */
 void domain_sweep_direction(domain_solver *d, int domain);
 
-/** Completes the downward sweep and returns p . image. An odd domain reads the swept w of even
- *  domains. */
+/** Completes the downward sweep and returns the domain's part of p . image. An odd domain reads the
+ *  swept w of even domains. */
 double domain_finish_image(domain_solver *d, int domain);
 
-/** Adds alpha p to the correction and subtracts alpha image from the residual. Returns the
- *  residual's squared norm. */
+/** Adds alpha p to the correction and subtracts alpha image from the residual. Returns the domain's
+ *  part of the residual's squared norm. */
 double domain_advance(domain_solver *d, int domain, double alpha);
 
 /** p = residual + beta p */

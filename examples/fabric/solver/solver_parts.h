@@ -36,7 +36,7 @@ double solver_sum(const double *term, int count);
 
 /**
  * Conjugate gradients in double, preconditioned by symmetric Gauss-Seidel in an order of the
- * vertices that allows parallel sweeps: the vertices are divided into domains of consecutive
+ * vertices that allows parallel sweeps. The vertices are divided into domains of consecutive
  * numbers, and every second domain comes first. The number of domains depends only on the number of
  * vertices, so the bits do not depend on the number of threads. On a mesh of 2602 vertices, its 8
  * domains cost about 10 % more iterations than the vertices' own order.

@@ -281,16 +281,16 @@ static void make_conjugate(simulation *sim) {
             vector_scale(d->direction[i], sim->step.h, b->displacement[i]);
 }
 
-/* Returns the position, at most `most`, of the minimum of the parabola that has this slope at 0 and
- * this change of value at `part`. */
+/* Returns the position of the minimum of the parabola that has this slope at 0 and this change of
+ * value at `part`, but at most `most`. Returns `most` if the parabola has no minimum. */
 static double lowest_part(double slope, double change, double part, double most) {
     const double curvature = 2 * (change - slope * part) / (part * part);
     return curvature > 0 ? fmin(most, -slope / curvature) : most;
 }
 
-/* Line search: moves b->x by Newton's fraction of the displacement, halved until E does not grow,
- * or to a parabola's minimum if E is lower there. Returns 0 if E grew after all halvings, otherwise
- * 1. */
+/* Line search: moves b->x by the fraction `newton` (at most `most`) of the displacement, halved
+ * until E does not grow, or to the minimum of a parabola through the values if E is lower there.
+ * Returns 0 if E grew after all halvings, otherwise 1. */
 static int descend(simulation *sim, double newton, double most) {
     barrier *b = &sim->barrier->contact;
     const double before = potential(sim, read_only(b->x)), slope = sim->barrier->descent.slope;
@@ -312,9 +312,9 @@ static int descend(simulation *sim, double newton, double most) {
     return 1;
 }
 
-/* Computes the barrier's energy and the work of bodies in the step: the force on a body is the sum
- * of the elements' gradients at its vertices. The work of pins follows from the constraints'
- * residual. */
+/* Sets s->work to the work of bodies in the step plus the decrease of the barrier's energy. The
+ * force on a body is the sum of the elements' gradients at its vertices. The work of pins follows
+ * from the constraints' residual. Also counts the contacts and grips of the step. */
 static void settle(simulation *sim) {
     barrier_step *s = sim->barrier;
     const barrier *b = &s->contact;

@@ -21,8 +21,9 @@ void forces_assemble_lagged(simulation *sim, const expansion *at);
  * strain limit. */
 void forces_add_elastic(simulation *sim, const expansion *at);
 
-/** Adds the elements that the solution dv subjects to an effect (the strain limit) within the step.
- *  Returns their number. If it is not 0, the system must be solved again. */
+/** Adds to sim->system the terms of triangles that exceed the strain limit at the end of a step
+ * with the solution dv, and are not in the system yet. Returns their number. If it is not 0, the
+ * system must be solved again. */
 int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
 #endif

@@ -50,26 +50,26 @@ typedef struct integrator_memory {
 int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count);
 void integrator_free(integrator_memory *memory);
 
-/** Computes x_next and v_next from the solution of solveSystem; pins and colliders may change them.
- *  Returns whether all numbers are finite. */
+/** Computes x_next and v_next from the solution of solveSystem, and corrects them so that pins and
+ *  contacts hold. Returns whether all numbers are finite and memory sufficed. */
 int integrator_move(simulation *sim);
 
-/** Accepts the step that ends at x_next and v_next: stores the state at its beginning, if needed.
+/** Accepts the step that ends at x_next and v_next: for BDF2, stores the state at its beginning.
  *  Must be called before x, v and the step's contacts change. */
 void integrator_accept(simulation *sim);
 
 /* Newton's method for the stage of an integrator: newton.c. */
 
-/** Assembles the system of Newton's first iteration: elastic forces expanded about x = X; damping
- *  enters as -D(X) (v_n + dv) with the damping matrix D and the velocity v_n at the step's
+/** Assembles the system of Newton's first iteration. Elastic forces are expanded about x = X.
+ *  Damping enters as -D(X) (v_n + dv) with the damping matrix D and the velocity v_n at the step's
  *  start. */
 void newton_assemble_at_base(simulation *sim);
 
 /**
  * Iterates until the stage's residual is below the scene's newton_tolerance, starting from the
  * system assembled at the base, after contacts and friction are found. sim->step.dv is the initial
- * guess, then the change of velocity; solver.residual gets the forces of constraints, as in
- * solver_impulses.
+ * guess, then the change of velocity. solver.residual gets the impulses of constraints
+ * (solver_impulses).
  *
  * An iteration's matrix is positive definite, so the residual r first decreases along its step d: d
  * . r > 0. If d . r at the full step is below -0.9 times its first value, the step is too long. It

@@ -81,9 +81,9 @@ typedef struct monitor {
 /** Evaluates the state from which a run starts. `start` needs no data of the step's end. */
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 
-/** Checks a step. In a step of the shortest length all faults are accepted except energy and
- *  non-finite values, since the step cannot be halved; in a futile step, passing and penetration
- *  are accepted. Accepted faults are counted. */
+/** Checks a step. A step of the shortest length cannot be halved, so all its faults are accepted
+ *  except energy and non-finite values. In a step whose halving is futile (monitor_futile_parts),
+ *  passing and penetration are accepted. Accepted faults are counted. */
 monitor_verdict monitor_check(monitor *m, const monitored_step *step);
 
 /**

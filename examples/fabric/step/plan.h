@@ -15,8 +15,8 @@ void plan_make(simulation *sim);
 /** Updates the effects to the beginning of the next step. */
 void plan_follow(simulation *sim);
 
-/** Restores the effects of a step that began at `time`: the time of the last change that plan_make
- *  or plan_follow found. */
+/** Sets the effects to those of a step that begins at `time`. A restored simulation passes its
+ *  in_force.plan_time, the time for which plan_make or plan_follow found them last. */
 void plan_return_to(simulation *sim, double time);
 
 /** Stores in `time` [most], ascending, the first times of events. At an event wind, a pin, a pin's

@@ -48,8 +48,8 @@ void collisionDetection(simulation *sim);
 void solveSystem(simulation *sim);
 void updateSystem(simulation *sim);
 
-/** Allocates the arrays of the first step, so that memory can be measured; the simulation must not
- * be run afterwards. */
+/** Allocates the arrays that the first step's search for self-collisions needs, so that memory can
+ *  be measured. The simulation must not be run afterwards. */
 void simulation_make_room(simulation *sim);
 
 /** Returns the memory that a direct solution would allocate, bytes, or 0 if the program does not
@@ -57,8 +57,8 @@ void simulation_make_room(simulation *sim);
  *  fall-back). */
 double simulation_direct_bytes(const simulation *sim, int *only);
 
-/** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
- *  all. The bits are the same. */
+/** From now on each round of the four phases uses the fastest number of threads, at most OpenMP's
+ *  (team.h), instead of OpenMP's. The bits are the same. */
 void simulation_choose_threads(simulation *sim);
 /** Returns the current number of threads, or 0 if all are used. */
 int simulation_threads(const simulation *sim);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The number of threads of a round of the four phases: OpenMP's number, a half, a quarter, ... or
- * one, whichever is fastest. Which one that is depends on the mesh, the machine and other programs:
- * if these keep cores busy, parallel regions of microseconds wait milliseconds for a thread that
- * has lost its core, and a run with all threads takes many times as long as with one. The bits do
- * not depend on the number of threads, so it may change from round to round.
+ * one, whichever is fastest. Which one that is depends on the mesh, the machine and other programs.
+ * If other programs keep cores busy, parallel regions of microseconds wait milliseconds for a
+ * thread that has lost its core. A run with all threads then takes many times as long as with one.
+ * The bits do not depend on the number of threads, so it may change from round to round.
  *
  * For each number of threads, the mean times of a solver iteration and of all else in a round are
  * recorded. Now and then a round is a trial of the next greater or smaller number, which is chosen

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Prescribed changes of velocity (Baraff and Witkin 1998, section 5). A vertex's change of velocity
- * in a step is dv = S y + z. S = I - sum e e' projects the unknown y onto the free directions; the
- * e are the orthonormal directions in which the change is given, and z is the given change along
- * them.
+ * in a step is dv = S y + z. S = I - sum e e' projects the unknown y onto the free directions. The
+ * e are the orthonormal directions in which the change is given, and z is the given change in these
+ * directions.
  */
 #ifndef FABRIC_CONSTRAINT_H
 #define FABRIC_CONSTRAINT_H

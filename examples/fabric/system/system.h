@@ -27,7 +27,8 @@ typedef struct linear_system {
     double (*b)[3]; /* [A.row_count] */
 } linear_system;
 
-/** Elements of one kind: `size` vertices each. Every pair of them has a block in A. */
+/** Elements of one kind, of `size` vertices each. Every pair of an element's vertices has a block
+ * in A. */
 typedef struct element_list {
     int count;
     int size;
@@ -43,8 +44,8 @@ void system_free(linear_system *s);
 /** Sets A = M and b = h m g: mass m [vertices] in kg, gravity g in m/s^2, step h in s. */
 void system_reset(linear_system *s, const double *mass, const double gravity[3], double h);
 
-/** Finds the indices in A of the blocks of each element's pairs of vertices, which ascend within an
- *  element: block [count * size (size + 1) / 2], (i,i) (i,j) ... (j,j) ... element by element. */
+/** Stores in block [count * size (size + 1) / 2], element by element, the indices in A of the
+ *  blocks (i,i) (i,j) ... (j,j) ... of the element's vertices i < j < ..., which must ascend. */
 void block_matrix_locate(const block_matrix *A, const element_list *list, int *block);
 
 void block_matrix_free(block_matrix *A);

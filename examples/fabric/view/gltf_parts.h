@@ -83,8 +83,8 @@ static inline int gltf_rotating_before(const gltf *g, int count) {
 /** Computes the number of bytes of each part. */
 void gltf_measure(const gltf *g, uint64_t size[PARTS]);
 
-/** Returns the JSON up to the buffer's length, or NULL if out of memory. The caller writes the end
- *  and frees the text. */
+/** Returns the JSON text up to and including the buffer's number of bytes, or NULL if out of
+ *  memory. The caller writes the rest and frees the text. */
 char *gltf_json(const gltf *g, size_t *length);
 
 #endif

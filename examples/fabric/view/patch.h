@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Smooths a mesh for pictures, so that they show folds and not triangles: each triangle becomes a
+ * Smooths a mesh for pictures, so that they show folds and not triangles. Each triangle becomes a
  * curved patch through its corners that follows the corners' normals (Vlachos and others, Curved PN
  * triangles, 2001). Patches that share a side share its curve.
  */
@@ -16,9 +16,9 @@ typedef struct patches {
     int *triangle;    /* [3 * triangle_count] */
 } patches;
 
-/** Replaces each triangle [3 * triangle_count] of corners position [3 * vertex_count] m and
- *  material [2 * vertex_count] m by parts * parts small ones. Returns 0, or -1 if out of memory;
- *  call patches_free in either case. */
+/** Replaces each triangle by parts * parts small ones. The arguments are triangle [3 *
+ *  triangle_count] and, for each vertex, position [3 * vertex_count] m and material [2 *
+ *  vertex_count] m. Returns 0, or -1 if out of memory; call patches_free in either case. */
 int patches_make(patches *p, int vertex_count, int triangle_count, const double *position,
                  const float *material, const int *triangle, int parts);
 void patches_free(patches *p);

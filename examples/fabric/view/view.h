@@ -35,8 +35,8 @@ typedef struct view_request {
 /** Reads a command line with one folder. Returns OPTIONS_READ, or the exit status. */
 int view_read_request(const command *self, int argc, char **argv, view_request *r);
 
-/** Sets the output's path to `given`, or to "folder/name" if that is NULL. Returns 0, or -1 after a
- *  message if it is too long. */
+/** Sets the output's path to `given`, or to "folder/name" if `given` is NULL. Returns 0, or -1
+ *  after a message if the path is too long. */
 int view_output(char path[FILE_PATH_SIZE], const char *folder, const char *name, const char *given);
 
 #endif

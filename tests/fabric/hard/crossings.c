@@ -12,8 +12,8 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
-/* Needed since, if all points are in one plane, rounding gives volumes of either sign, even for
- * distant features. */
+/* Do the boxes of segment p q and triangle a b c meet? This test is needed because rounding gives
+ * the volumes of points in one plane either sign, even for distant features. */
 static int boxes_meet(const double p[3], const double q[3], const double a[3], const double b[3],
                       const double c[3]) {
     for (int k = 0; k < 3; k++)

@@ -5,8 +5,9 @@
  * `driven`, worn cloth runs for 40 steps among bodies that move through it. With `barrier`, contact
  * is by a barrier as well, and nothing may cross. Each scene runs in a child process: it must end
  * with finite values and within its energy, or be refused with a message. Exit status 1: a scene
- * crashes, hangs, or does neither. For each driven scene a line gives the numbers of steps, of
- * steps repeated, and of passages that the monitor permitted in steps that cannot be halved.
+ * crashes or hangs, or its end is neither of these. For each driven scene a line gives the numbers
+ * of steps, of steps repeated, and of passages that the monitor permitted in steps that cannot be
+ * halved.
  */
 #include <math.h>
 #include <signal.h>

@@ -235,8 +235,8 @@ static double mean_height(const stage *on, int from, int count) {
     return sum;
 }
 
-/* With contact.untangle the same starts run. Layers take the order that most of their vertices
- * have. */
+/* Overlapping starts, which are refused without contact.untangle, run with it. Layers take the
+ * order that most of their vertices have. */
 static void overlapping_starts_are_untangled(void **state) {
     (void)state;
     collider floor_only[1] = {barrier_ground}, bodies[2] = {barrier_ground,

@@ -59,7 +59,8 @@ static void sheets_slide_and_stick(void **state) {
     }
 }
 
-/* A moving floor carries and lifts the sheet; its work is in the energy account. */
+/* A moving floor carries and lifts the sheet. The floor's work is counted in the energy balance:
+ * otherwise the monitor would reject steps. */
 static void a_moving_floor_carries(void **state) {
     (void)state;
     collider plane = ground;

@@ -22,8 +22,8 @@ static void assert_at(const collider *k, double time, double x, double y, double
         assert_near(back[a], p[a], 1e-12);
 }
 
-/* A point one metre along a body's first axis: at keyframes, between them, before and after
- * them. */
+/* The position of a point one metre along a body's first axis is compared at keyframes, between
+ * them, before and after them. */
 static void S42_keyframes(void **state) {
     (void)state;
     keyframe path[3] = {{1, {0, 0, 0}, 0}, {2, {0, 0, 4}, 90}, {4, {0, 2, 4}, 90}};

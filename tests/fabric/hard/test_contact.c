@@ -18,8 +18,8 @@ static void note_contacts(const stage *on, int *noted) {
     }
 }
 
-/* 10 s on the collider: after 5 s nothing moves, and in the last second no contact begins or
- * ends. */
+/* A cloth lies on the collider for 10 s: after 5 s nothing moves, and in the last second no contact
+ * begins or ends. */
 static void rests(collider *on_what, const char *name) {
     stage on = stage_of(cloth_sheet(9, 9, 0.05, 0.3, 1), cloth_scene());
     const int count = on.m.vertex_count, steps = 300;

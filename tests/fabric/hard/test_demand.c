@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Effects that a scene does not use take neither memory nor time: storage, distant colliders, sleep
- * and the monitor. */
+/* Effects that a scene does not use take neither memory nor time. The same holds for distant
+ * colliders, sleeping cloth, and a monitor that is off. */
 #include "stage.h"
 
 #include <stdlib.h>

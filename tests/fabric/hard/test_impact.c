@@ -32,8 +32,8 @@ static motion_sum sum_of(const stage *on, const double (*x)[3], const double (*v
     return sum;
 }
 
-/* Returns two pairs of triangles with different masses, in general position. Without `grows` only
- * the first pair meets. With it, the pair, moving on together, then meets the third triangle. */
+/* Returns three triangles with different masses, in general position. Without `grows` only the
+ * first two meet. With it, these two, moving on together, then meet the third. */
 static stage triangles_askew(int grows) {
     static const double material[9][2] = {{0, 0},   {0.2, 0}, {0, 0.3},   {1, 0},  {1.3, 0},
                                           {1, 0.2}, {2, 0},   {2.3, 0.1}, {2, 0.3}};

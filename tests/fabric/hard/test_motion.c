@@ -77,7 +77,7 @@ static void force_at(simulation *sim, double (*x)[3], double (*v)[3], double *b)
 }
 
 /* Replaces A by the exact M - h^2 df/dx, from differences of the forces, without clamping or
- * Gauss-Newton. Vertices that share no element are not coupled, so A has blocks for all. */
+ * Gauss-Newton. Only vertices that share an element are coupled, so A has all blocks needed. */
 static void use_exact_jacobian(simulation *sim) {
     const int n = 3 * sim->mesh->vertex_count;
     const double d = 1e-6;
@@ -193,8 +193,8 @@ static void S17_huge_steps_gain_no_energy(void **state) {
     assert_in_range(refused, 0, 5);
 }
 
-/* One step of 1/30 s of a flap of 1e8 N/m without the monitor, and how the monitor subdivides
- * it. */
+/* Makes a step of 1/30 s of a flap of 1e8 N/m, once without a limit of energy and once with one, so
+ * that the monitor subdivides the step. */
 static void S26_energy_is_watched(void **state) {
     (void)state;
     for (int watched = 0; watched < 2; watched++) {

@@ -167,8 +167,8 @@ static void test_cloth_folds_on_itself(void **state) {
     assert_int_equal(most[1], 0);
 }
 
-/* Impulses are equal and opposite: in free fall, with cloth that collides with itself, momentum is
- * conserved. */
+/* Impulses are equal and opposite: without gravity, cloth that collides with itself conserves
+ * momentum. */
 static void test_momentum_stays(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(8, 6, 0.1, 0.3, 1), cloth_scene());

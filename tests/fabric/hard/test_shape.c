@@ -12,9 +12,9 @@
 
 enum { columns = 12, slivers = 10 };
 
-/* Returns a sheet with slivers. Ten triangles have an added vertex inside, nearer to an edge than
- * 1e-2 to 1e-6 of the edge's length. An eleventh has a vertex on the edge. Each becomes a sliver
- * and two triangles. The slivers are the last triangles. */
+/* Returns a sheet with slivers. Ten triangles get a vertex inside, at 1e-2 to 1e-6 of the way from
+ * an edge's middle to the opposite corner. An eleventh gets a vertex on the edge. Each becomes a
+ * sliver and two triangles. The slivers are the last triangles. */
 static mesh sheet_with_slivers(void) {
     mesh sheet = cloth_sheet(columns, columns, 0.1, 0.3, 1);
     const int triangles = sheet.triangle_count, added = slivers + 1;
@@ -370,7 +370,7 @@ static stage long_triangles(void) {
 
 /* Systems that would take the conjugate gradients thousands of iterations are solved directly,
  * after the first failure has shown this. Iterations are spent only on the few systems that are
- * tried again. The cloth ends where it does if the scene requests the direct solution. */
+ * tried again. The cloth must end where it ends if the scene requests the direct solution. */
 static void S40_ribbon_of_800_to_1(void **state) {
     (void)state;
     enum { steps = 100 };

@@ -71,8 +71,8 @@ static barrier one_pair(barrier_pair *pair, mesh *m, scene *s, int *owner) {
     return b;
 }
 
-/* No part of a way may be allowed in which a sampled point passes, but at least half of the free
- * part must be allowed. */
+/* No features may pass, at sampled times, within the fraction of the displacement that
+ * barrier_allowed_part returns. It must return at least half of the fraction that is free. */
 static void parts_of_ways_do_not_pass(void **state) {
     enum { samples = 2000 };
     unsigned seed = 9;
@@ -111,7 +111,7 @@ static void parts_of_ways_do_not_pass(void **state) {
     assert_in_range(cut, 20, 280);
 }
 
-/* One vertex alone would move 3 times as far as the other feature is away: its way must be
+/* A single vertex would move 3 times as far as the other feature is away: its displacement must be
  * shortened. */
 static void each_vertex_is_cut(void **state) {
     (void)state;

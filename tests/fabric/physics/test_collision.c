@@ -191,8 +191,9 @@ static void test_distances(void **state) {
     }
 }
 
-/* S28: compared with the path in a thousand small steps. A point kept outside of the plane found
- * must never come nearer than the gap, and no path that stays clear may be stopped. */
+/* S28: shape_approach is compared with the path in a thousand small steps. A point kept outside of
+ * the plane found must never come nearer than the gap, and no path that stays clear may be
+ * stopped. */
 static void S28_no_path_gets_through(void **state) {
     (void)state;
     unsigned seed = 2;

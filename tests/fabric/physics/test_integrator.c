@@ -68,8 +68,8 @@ static scene soft_scene(void) {
     return s;
 }
 
-/* Computes the force of every effect at x and v, N: the linear system for h = 1 without
- * derivatives. */
+/* Computes the sum f of all effects' forces at x and v, N: the right side of the linear system for
+ * h = 1, without the terms of derivatives. */
 static void force_at(simulation *sim, vectors x, vectors v, vectors f) {
     static const vectors none;
     const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;
@@ -318,8 +318,8 @@ static void test_damping_forces(void **state) {
     end(&on);
 }
 
-/* Every integrator, with moving pins and a ball in the way, at a large step: pins are exact and
- * nothing enters the ball. */
+/* Every integrator that uses Newton's method, with moving pins and a ball in the way, at a large
+ * step: pins are exact and nothing enters the ball. */
 static void test_pins_and_contacts(void **state) {
     (void)state;
     pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 0.01}, .velocity = {0.1, 0, 0}};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Addresses that the program compares: of variables of the kernel, of which each thread may have a
- * copy, of parameters, of static objects and their parts. Also variables accessed through their
- * address. */
+/* Addresses that the program compares. They are those of the kernel's variables, of which each
+ * thread may have a copy, of parameters, and of static objects and their parts. Also variables that
+ * are accessed through their address. */
 #include "fuzz/attacks/attack.h"
 
 typedef struct object {

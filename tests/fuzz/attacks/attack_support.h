@@ -19,8 +19,11 @@ static inline double attack_damp(double v) {
 
 /** Starts the random values of one program. */
 void attack_seed(unsigned long long seed);
+/** Returns a random number in 0 ... n - 1. */
 int attack_below(int n);
+/** Fills `count` elements of `size` bytes with random values. is_floating as for attack_print. */
 void attack_fill(void *to, int count, size_t size, int is_floating);
+/** Fills `to` with random numbers in 0 ... below - 1. */
 void attack_fill_ints(int *to, int count, int below);
 void attack_fill_doubles(double *to, int count);
 /** Prints a hash of the bytes, in which all NaNs are equal. is_floating: the size of a
@@ -31,7 +34,8 @@ void attack_note(double value);
 
 /* The functions below are in another file, so the translator does not see their bodies. */
 
-/** Sets the `count` bytes of which the functions below read one, selected by the low bits of i. */
+/** Sets the `count` bytes of which each function from attack_watched to expectf reads one. The low
+ * bits of its argument select the byte. */
 void attack_watch(const void *bytes, size_t count);
 int attack_watched(int i);
 int parity(int i);
@@ -48,9 +52,11 @@ double expectf(double v);
 
 /** Returns a table of the calling thread, like the C library's __ctype_b_loc. */
 const int *attack_table(void) __attribute__((const));
+/** Returns the calling thread's number (0 at first) plus i. */
 int attack_thread_value(int i) __attribute__((pure));
+/** Returns the calling thread's number. */
 int attack_thread_number(void) __attribute__((const));
-/** Sets what the two functions above return in the calling thread. */
+/** Sets the calling thread's number, and fills its table accordingly. */
 void attack_set_thread(int value);
 /** Sets the calling thread's character classes to those of the locale that ATTACK_LOCALE names.
  * attack_reset_locale restores them. */
@@ -59,8 +65,8 @@ void attack_reset_locale(void);
 /** Returns its argument, which the compiler cannot know. */
 void *attack_same(const void *p) __attribute__((const));
 /** Maps 1024 zeros at both[0] and at both[1], at the addresses of an earlier call. kind 0: two
- * objects; 1: one object, mapped twice; 2: one object, mapped twice at adjacent addresses; 3: one
- * object, which the second mapping shows until it is written to. */
+ * objects. 1: one object, mapped twice. 2: one object, mapped twice at adjacent addresses. 3: one
+ * object, of which the second mapping is private (copy-on-write). */
 void attack_map(unsigned long *both[2], int kind);
 /** For objects in pages of their own, which can only be read after attack_hold. */
 #define ATTACK_PAGE __attribute__((section("attack_pages"), aligned(4096)))

@@ -12,9 +12,9 @@ static const char *const types[] = {"int", "int", "unsigned", "long"};
  * subscript outside all memory, with the small ones the subscript of another element. */
 static const char *const missing[] = {"1000000000", "1000000000", "300", "7"};
 
-/* Declares `s`, which is updated, `k`, which may lie in it, and `m` (int), all with `$`, and a
- * function that fills them before a call: k[t] = `value`, or `value` - `lacks` if k lies in s and
- * t >= `from`. */
+/* Declares the arrays `s`, which is updated, `k`, which may lie in s, and `m` (int); their names
+ * end in `$`. Also declares a function that fills them before a call: k[t] = `value`, or `value` -
+ * `lacks` if k lies in s and t >= `from`. */
 static void put_arrays(attack *a, const char *type, int shift, const char *value, const char *lacks,
                        int from) {
     put(a, PART_GLOBALS,

@@ -59,8 +59,8 @@ static void put_hiding(attack *a, const meaning *m, int here) {
         put(a, PART_ARGUMENTS, ", %d", here);
         return;
     }
-    /* At the beginning of the file it hides nothing, but has the name of the function's own
-     * declaration. */
+    /* At the beginning of the file the declaration hides nothing, but has the name of the
+     * function's own declaration. */
     const part where = !m->is_global && chance(a, 30) ? PART_GLOBALS
                        : chance(a, 65)                ? PART_BEFORE
                                                       : PART_BODY;

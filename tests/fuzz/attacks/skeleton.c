@@ -303,8 +303,8 @@ static void put_kernel(attack *a, buffer *b, const world *w) {
     buffer_format(b, "static int table_%llu[%d];\nstatic double weight_%llu[%d];\n", s,
                   a->trips + SPARE, s, a->trips + SPARE);
     buffer_text(b, all_of(a, PART_GLOBALS));
-    /* The generated code of functions with attributes is in the loop's place, that of others before
-     * the function. */
+    /* redcc puts the code that it generates for a function with attributes in the loop's place, and
+     * for other functions in front of the function. */
     buffer_format(b,
                   "%sstatic void kernel_%llu(%s n, const %s *x, %s *h, const int "
                   "*k, const double *w%s) {\n",

@@ -73,8 +73,8 @@ static const char *other_sign(const char *type) {
                                                 : "unsigned";
 }
 
-/* Reads as the type with the other sign, as a record, through may_alias, through a union, or as a
- * vector. */
+/* Returns a read of x[t] through another type: an integer of the other sign, a type with may_alias,
+ * a record of one member, or an array of one element. */
 static operand seen_otherwise(attack *a) {
     note(a, "types/seen-otherwise");
     switch (below(a, 4)) {
