@@ -10,7 +10,7 @@ enum { FILE_PATH_SIZE = 4096 };
 /**
  * Finds the file of a scene. `name` is a path (it contains '/' or ends in .yaml) or a bare name in
  * the scenes folder. That folder is $FABRIC_SCENES or, if unset, ../share/fabric/scenes relative to
- * the program's own folder. Returns 0, or -1: a path is too long, or, after a message, the scene is
+ * the program's own folder. Returns 0, or -1 after a message if a path is too long or the scene is
  * unknown.
  */
 int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
