@@ -32,6 +32,8 @@ expect 2 "--progress is 'liens', expected one of 'auto', 'bar', 'lines', 'json',
   "$program" run patch --progress liens
 expect 2 "which scene?" "$program" run
 expect 2 "one scene at a time, not 'b' as well" "$program" run a b
+long=$(printf 'x%.0s' {1..5000})
+expect 1 "path too long" "$program" run "$long.yaml"
 expect 1 "no scene is called 'pach' in $scenes, expected a path or one of 'ball', 'curtain', 'flag', 'flap', 'hanging', 'patch', 'poles', 'ring', 'scarf', 'sheet218k', 'tablecloth'; did you mean 'patch'?" \
   "$program" run pach
 expect 1 "./none.yaml: cannot be read: No such file or directory" "$program" run ./none.yaml

@@ -26,7 +26,7 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
     s.time.integrator = (int)kind;
     s.material.stretch_damping = s.material.shear_damping = s.material.bend_damping =
-        s.surroundings.drag = 0;
+        s.surroundings.drag = s.surroundings.tangential_drag = 0;
     s.solution.tolerance = kind == INTEGRATOR_LINEAR_EULER ? 1e-6 : 1e-2;
     s.solution.newton_tolerance = 1e-7;
     s.solution.newton_iterations = 200;

@@ -76,8 +76,12 @@ static void complain_no_scene(const char *folder, const char *name) {
 
 int files_find_scene(const char *name, char path[FILE_PATH_SIZE]) {
     char folder[FILE_PATH_SIZE];
-    if (strchr(name, '/') || has_suffix(name, ".yaml"))
-        return snprintf(path, FILE_PATH_SIZE, "%s", name) < FILE_PATH_SIZE ? 0 : -1;
+    if (strchr(name, '/') || has_suffix(name, ".yaml")) {
+        if (snprintf(path, FILE_PATH_SIZE, "%s", name) < FILE_PATH_SIZE)
+            return 0;
+        fprintf(stderr, "%.100s...: path too long\n", name);
+        return -1;
+    }
     if (find_scenes_folder(folder) != 0) {
         fprintf(stderr, "the scenes folder cannot be found; FABRIC_SCENES can name it\n");
         return -1;

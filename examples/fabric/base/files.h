@@ -10,8 +10,8 @@ enum { FILE_PATH_SIZE = 4096 };
 /**
  * Finds the file of a scene. `name` is a path (it contains '/' or ends in .yaml) or a bare name in
  * the scenes folder. That folder is $FABRIC_SCENES or, if unset, ../share/fabric/scenes relative to
- * the program's own folder. Returns 0, -1 without a message if `name` is a path that is too long,
- * or -1 after a message if the scenes folder or the scene is not found.
+ * the program's own folder. Returns 0, or -1 after a message if `name` is a path that is too long,
+ * or the scenes folder or the scene is not found.
  */
 int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 

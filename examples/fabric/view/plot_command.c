@@ -41,8 +41,12 @@ static int run_gnuplot(const char *folder, const char *plots, const char *name) 
 static int draw(const char *folder) {
     char plots[FILE_PATH_SIZE], name[64], path[FILE_PATH_SIZE];
     int drawn = 0;
-    if (files_in_program_folder(plots, "../share/fabric/plots") != 0)
+    if (files_in_program_folder(plots, "../share/fabric/plots") != 0) {
+        fprintf(stderr,
+                "the folder of gnuplot's scripts cannot be found: this program's own folder "
+                "is unknown, or its path too long\n");
         return -1;
+    }
     for (size_t k = 0; k < sizeof tables / sizeof *tables; k++) {
         snprintf(name, sizeof name, "%s.csv", tables[k]);
         if (files_join(path, folder, name) != 0)
