@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * All files that a preprocessor could read for a source, whatever branches it takes and in whatever
- * order it searches. A file in a search folder belongs to them if the source, or another file of
- * the closure, includes its name. If two closures are equal, so is the preprocessor's input: the
- * closure changes if a header appears, vanishes, moves or hides another one.
+ * order it searches. A file in a search folder belongs to the closure if the source, or another
+ * file of the closure, includes its name. If two closures are equal, so is the preprocessor's
+ * input: the closure changes if a header appears, vanishes, moves or hides another header.
  */
 #ifndef DRIVER_CLOSURE_H
 #define DRIVER_CLOSURE_H

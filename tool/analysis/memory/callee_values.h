@@ -17,7 +17,7 @@ typedef struct callee_rewriting {
     bool is_exact;
     bool loads_stay;        /* memory that is read here is not written while the caller's loop
                              * runs */
-    bool has_load;          /* an address depends on a load */
+    bool has_load;          /* the address depends on a load */
     bool loads_are_certain; /* all these loads happen whenever the function is called */
     bool follows_changes;   /* variables that are set several times are replaced by their values
                              * too */
