@@ -1,16 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The intermediate representation (IR): one translation unit as trees of one node type.
  *
- *  The frontend builds it in one arena. Later stages read it. They also add bodies of functions
- *  from other files, remove dead branches, and replace parts of a loop while they analyse it.
  *
- *  The trees represent the source, without implicit conversions (the nodes' types show them) and
- *  without parentheses (the printer restores those that are needed). Typedefs are resolved.
- *  Whatever the frontend cannot represent exactly becomes an IR_OPAQUE node, about which nothing
- *  may be assumed.
+ The frontend builds the IR in one arena. Later stages read it. They also add bodies of functions
  *
- *  "Not in the text form" means that ir_print omits the field, so tests that read the IR as text do
- *  not see it. */
+ from other files, remove dead branches, and replace parts of a loop while they analyse that
+ *
+ loop.
+ *
+ *
+ The trees represent the source, without implicit conversions (the nodes' types show them) and
+ *
+ without parentheses (the printer restores those that are needed). Typedefs are resolved.
+ *
+ Whatever the frontend cannot represent exactly becomes an IR_OPAQUE node, about which nothing
+ *
+ may be assumed.
+ *
+ *
+ "Not in the text form" means that ir_print omits the field, so tests that read the IR as text do
+ *
+ not see it. */
 #ifndef IR_IR_H
 #define IR_IR_H
 
@@ -295,10 +305,10 @@ typedef enum ir_operator {
 enum {
     IR_ARROW = 1,
     IR_DESIGNATED = 2,
-    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body or a macro's argument, so
-                        * its bytes cannot be edited. Not set on a statement that contains the
-                        * whole expansion at its end (or, except for loops, at its beginning):
-                        * that statement may be replaced as a whole */
+    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body or a macro's argument, so its
+                        * bytes cannot be edited. Not set on a statement that contains the whole
+                        * expansion at its end (or, except for loops, at its beginning), because the
+                        * statement may then be replaced as a whole */
     IR_HAS_VALUE = 8,  /* `value` is its constant integer value */
     IR_COMPOUND_LITERAL = 16, /* the IR_INITIALIZERS node is a compound literal */
     IR_SEQUENCE = 64,         /* the block is a comma expression used as a statement. Its parts are
@@ -455,8 +465,8 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
 bool ir_is_expression(const ir_node *node);
 /** Is it an element, a member or a pointer's target: a[i], s.m, p->m, *p? */
 bool ir_is_access(const ir_node *node);
-/** Is it an access (ir_is_access) whose value is loaded? False for one of array type, which only
- *  computes an address. */
+/** Is it an access (ir_is_access) whose value is loaded? False for an access of array type, which
+ *  only computes an address. */
 bool ir_reads_memory(const ir_node *node);
 /** Is it of the form &operand? */
 bool ir_is_address_of(const ir_node *node);
