@@ -5,8 +5,8 @@
 
 #include "frontend/flags.h"
 
-/** The flags with which clang imitates gcc, as items of an array. These flags remove the names that
- *  identify clang. */
+/** Flags, as items of an array, that remove the names that identify clang, so that clang imitates
+ *  gcc. */
 #define FLAGS_WITHOUT_CLANG                                                                        \
     "-U__clang__", "-U__clang_major__", "-U__clang_minor__", "-U__clang_patchlevel__",             \
         "-U__clang_version__", "-U__llvm__"

@@ -53,8 +53,8 @@ const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) 
     return step;
 }
 
-/* Does the node contain such steps? Sets *has_other if a stepped variable occurs more than once in
- * `statement`. */
+/* Does the node contain steps v++ or v--? Sets *has_other if a variable that is stepped in it
+ * occurs more than once in `statement`. */
 static bool has_lone_steps(const ir_node *node, const ir_node *statement, bool *has_other) {
     bool has_step = is_step_afterwards(node);
     if (has_step)

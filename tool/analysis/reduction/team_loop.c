@@ -34,8 +34,8 @@ static const ir_directive *directive_above(const ir_unit *unit, const ir_node *s
     return last;
 }
 
-/* Finds the innermost `parallel` around the loop. Clears is_outermost if another directive encloses
- * that region. */
+/* Finds the innermost `parallel` around the loop. Clears is_outermost if there is another directive
+ * around that `parallel`. */
 static void find_region(team_loop *it) {
     const ir_unit *unit = it->an->unit;
     for (const ir_node *node = it->loop->parent; node && node != it->function->body;

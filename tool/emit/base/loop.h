@@ -35,9 +35,9 @@ typedef struct outline_text {
     bool possible;           /* cleared when an obstacle is found */
     bool *is_passed;         /* indexed by variable: is it passed to slice or body? */
     const char **by_address; /* indexed by variable: the text that replaces its name, or NULL */
-    const char *text;        /* slice, body and each thread's last statements, in the function that
-                              * each thread calls; the context must pass the values that they
-                              * name */
+    const char *text;        /* the texts of slice, body and each thread's last
+                              * statements, joined; the context must pass the values
+                              * that they name */
     const char *slice_call, *body_call; /* the calls for iteration redcc__k */
     const char *reads_call; /* call that replaces slice_call while records are appended (bins), or
                              * NULL */
