@@ -104,7 +104,8 @@ static bool has_debugging_information(const command *c) {
 }
 
 /* Sets *found to a digest of other things on which an object depends: the assembler and, with
- * debugging information, the folder and its name in $PWD. Returns false if they are unknown. */
+ * debugging information, the current folder and its name in $PWD. Returns false if they are
+ * unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();

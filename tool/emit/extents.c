@@ -15,8 +15,8 @@ bool has_affine_extents(const loop_text *loop) {
     return false;
 }
 
-/** Is there an affine extent that is computed without checks, or (is_checked) any extent with
- * checks? */
+/** If is_checked is false: is there an affine extent that is computed without checks? If true: is
+ * there any extent that is computed with checks? */
 static bool has_extents(const loop_text *loop, bool is_checked) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
         if ((is_checked && loop->plan->sources[i].fact->extent == EXTENT_BOUNDED) ||
@@ -109,8 +109,8 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, with a check that it is a value of the node's type. If the check fails at run time,
- * the extents are unknown. */
+/** Returns the number, with a check that the node's type can represent it. If the check fails at
+ * run time, the extents are unknown. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))

@@ -22,8 +22,8 @@ enum {
     WIDE_SIZE = 8 /* redcc_int */
 };
 
-/** If adding a step could overflow, the loop runs sequentially when lower or bound is greater than
- * this in absolute value. */
+/** If adding a step could overflow, the loop runs sequentially when the absolute value of lower or
+ * bound is greater than this. */
 static const char limit[] = "((redcc_int)1 << 61)";
 
 typedef struct integer_type {
@@ -203,8 +203,8 @@ static const char *users_bound_text(loop_text *loop, const header *h) {
                         h->compares_wide ? "redcc_word" : "redcc_u32", text);
 }
 
-/* The value with which the counter is compared: for `counter + ahead < bound` it is bound - ahead.
- * If the difference wraps around, it is beyond the limit. */
+/* Returns the value with which the counter is compared: for `counter + ahead < bound`, this is
+ * bound - ahead. If the subtraction wraps around, the result exceeds `limit`. */
 static const char *bound_text(loop_text *loop, const header *h) {
     const char *text = users_bound_text(loop, h);
     return h->counted->ahead == 0 ? text

@@ -10,8 +10,8 @@
  *   the same iteration, so it still finds the old value;
  * - at least one such read is made in every iteration. So the extent that the guard compares with
  *   each reduction array contains all stored elements, and no update changes a stored element. Each
- *   element also has t's type when the deferred store is made: the loop no longer stores to it
- *   before, so reading it as another type would be undefined (C17 6.5p7). */
+ *   element also has t's type when the deferred store is made: the loop no longer stores to
+ *   it, so reading it as another type would be undefined (C17 6.5p7). */
 #include "analysis/reduction/distribution.h"
 
 #include "analysis/base/expression.h"

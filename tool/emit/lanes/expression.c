@@ -127,8 +127,8 @@ static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type 
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-/** A call of a library function with a vector form. Inactive lanes pass the operand 1, for which no
- * such function sets errno. */
+/** Returns a call of the vector form of a library function. In inactive lanes the operand is 1, for
+ * which no such function sets errno. */
 static lane_value known_call(vectoriser *l, const char *name, const ir_node *call) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(call->type);
