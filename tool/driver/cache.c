@@ -60,8 +60,9 @@ static const project *project_of(session *s, const char *file, const word_list *
     return project_from(a, file, &files);
 }
 
-/* Returns the project's digest for the source (project_digest). It is cached by source, because
- * reading the functions of hundreds of files would take longer than all other work. */
+/* Returns the project's digest for the source (project_digest). The digest is cached for each
+ * source, because reading the functions of hundreds of files would take longer than all other
+ * work. */
 static digest digest_around(session *s, const char *file) {
     arena *a = s->memory;
     const word_list list = project_list(a, file);
