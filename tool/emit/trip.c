@@ -158,8 +158,9 @@ static const char *comparison_text(const header *h) {
     return h->inclusive ? "redcc__lower >= redcc__bound" : "redcc__lower > redcc__bound";
 }
 
-/** The trip count, if the loop iterates: (high - low) / stride + 1, with high - low - 1 if the
- * bound is exclusive. */
+/** Returns the trip count of a loop that iterates: span / stride + 1 if the bound is inclusive,
+ * otherwise (span - 1) / stride + 1. `span` is the distance from lower to bound. If h->stride is
+ * NULL, the stride is 1. */
 static const char *count_text(arena *a, const header *h) {
     const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
     if (!h->stride)

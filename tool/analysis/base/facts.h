@@ -199,9 +199,9 @@ typedef struct loop_source {
     bool is_sometimes;    /* only some iterations read it, and in the others its address may be
                            * invalid. If possible the address is computed as a number
                            * (row_address.h); otherwise the extent is EXTENT_TOUCHED */
-    bool is_checked;      /* for EXTENT_AFFINE: between the first and the last iteration, subscripts
-                           * may wrap around, or may be out of bounds there, so both ends must be
-                           * computed with checks (exact.h) */
+    bool is_checked;      /* for EXTENT_AFFINE: subscripts may wrap around between the first and the
+                           * last iteration, or be out of bounds in one of these two, so both ends
+                           * of the extent must be computed with checks (exact.h) */
     bool is_ahead;    /* for EXTENT_TOUCHED: recorded before a condition inside of `place` decides
                        * whether it is read */
     bool is_repeated; /* for EXTENT_TOUCHED: each iteration executes `place`, and all iterations

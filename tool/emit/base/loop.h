@@ -14,10 +14,11 @@
 
 /** The names of a reduction array in the generated text. */
 typedef struct array_text {
-    const char *base;       /* the user's own expression: `b`, `s->b` */
-    const char *local;      /* the array's name in the executor: the user's name, which a pointer
-                             * shadows, or another that replaces the user's bytes. `base` and `local` are
-                             * NULL if the rows are scattered: reached through pointers in memory */
+    const char *base;  /* the user's own expression: `b`, `s->b` */
+    const char *local; /* the array's name in the executor: the user's name, if a pointer of that
+                        * name shadows the array (is_shadowed); otherwise another name, which
+                        * replaces the user's bytes. `base` and `local` are NULL if the rows are
+                        * scattered, that is, reached through pointers in memory */
     const char *declarator; /* `local`, marked as a declarator (origin.h) */
     bool is_shadowed;
 } array_text;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions for all lanes. Arithmetic on doubles and floats follows the user's operators: each is
- * computed in its own type and rounded as in a single iteration. Operands that differ between
- * lanes, read from memory or converted from integers, are gathered into vectors.
+ * Expressions for all lanes. Arithmetic on doubles and floats follows the user's operators: each
+ * operation is computed in its own type and rounded as in a single iteration. Operands that differ
+ * between lanes, are read from memory or are converted from integers are gathered into vectors.
  */
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Writes the code that logs addresses: of one row; of all rows that a loop steps through; of reads
- * in loops of a called function. */
+/* Writes the code that logs addresses: those of one row, of all rows through which a loop steps, or
+ * of reads in loops of a called function. */
 #include "emit/slice/access_log.h"
 
 #include <assert.h>
