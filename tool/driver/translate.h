@@ -21,7 +21,8 @@ typedef struct translation {
  * redcc changed the source and the text may be compiled in the source's place. */
 translation translate(session *s, const item *source, unsigned number);
 
-/** Adds the options that the translated text needs, before and after the user's own. */
+/** Add the options that the translated text needs: translation_add_before those before the user's
+ *  own options, translation_add_after those after them. */
 void translation_add_before(session *s, word_list *list, const translation *t);
 void translation_add_after(session *s, word_list *list, const translation *t);
 

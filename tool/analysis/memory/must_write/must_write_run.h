@@ -78,7 +78,7 @@ value run_give_up(run *r, const ir_node *node, const char *why);
  *  are left. */
 bool run_step(run *r, const ir_node *node, unsigned steps);
 
-/** Notes that the bytes may be read at this point. */
+/** Note that the bytes [begin, end), or the set `bytes`, may be read at this point. */
 void run_read(run *r, const state *s, const ir_node *node, int64_t begin, int64_t end);
 void run_read_set(run *r, const state *s, const ir_node *node, byte_set bytes);
 /** Notes a write: of all these bytes if is_exact, otherwise of some of them. */
