@@ -52,7 +52,7 @@ void cached_keep(session *s, cached *c, const cached_run *run, int status);
  * is not in the cache. */
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words);
 
-/** Stores such a text (cached_text). */
+/** Stores a text, which cached_text then returns for the same `about` and `words`. */
 void cached_keep_text(session *s, cached *c, const char *about, const word_list *words,
                       const char *text);
 

@@ -37,7 +37,7 @@ typedef struct search {
     word_list macros; /* macros that may expand to names of headers */
     map *met;         /* pairs of a file and the folder in which it was found */
     map *names;       /* names already searched in all folders */
-    map *below;       /* folders of paths: does each exist? */
+    map *below;       /* folders of the paths tried, and whether each exists */
     uintptr_t count;  /* number of different files so far */
 } search;
 

@@ -16,7 +16,7 @@
 #include "driver/words.h"
 #include "support/map.h"
 
-/** The starting points and the search path. */
+/** The starting points and the search path of a closure. */
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
     const char *name;   /**< the source's name; its folder is searched for headers */

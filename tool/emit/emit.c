@@ -121,7 +121,7 @@ static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32
         const ir_function *function = unit->functions[i];
         const uint32_t end = function->body ? function->body->range.end : function->range.end;
         if (!function->body && names_function(unit, declared))
-            continue; /* g of `int f(void), g(void);` */
+            continue; /* this is g in `int f(void), g(void);` */
         if (function->is_in_main_file && function->declared != declared &&
             declared->offset >= function->range.begin && declared->offset < end)
             return false;

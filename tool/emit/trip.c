@@ -97,7 +97,7 @@ typedef struct header {
     bool compares_wide; /* the comparison is in 64 bits */
     bool ascends;
     bool inclusive;
-    const char *stride;    /* step| as text, or NULL if it is 1 */
+    const char *stride;    /* |step| as text, or NULL if it is 1 */
     bool lower_is_natural; /* lower is a constant >= 0 */
     bool ends_at_bound;    /* the counter's value after the loop is the bound itself */
 } header;

@@ -260,7 +260,7 @@ static bool is_divergent(const lane_scope *l, const ir_node *node, const ir_node
 
 /** Returns the part of the scope that contains all uses of the written value. This is the block
  * with the variable's declaration. If all uses are in loops that initialise the variable, it is
- * the outermost such `for` around the write. */
+ * the outermost such `for` around the write. Otherwise it is the whole body. */
 static const ir_node *life_of(const lane_scope *l, const ir_node *write,
                               const ir_variable *variable) {
     const bool is_counter = lane_is_counter_only(l->body, variable);

@@ -92,7 +92,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 
 /* ---- branches with messages ------------------------------------------------------------------ */
 
-enum { DEEPEST_MESSAGE = 4 }; /* of nested calls */
+enum { DEEPEST_MESSAGE = 4 }; /* greatest depth of nested calls that are searched */
 
 /* Does a library function of this name print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {

@@ -5,7 +5,7 @@
 
 #include "analysis/base/expression.h"
 
-enum { MOST_NAMED = 32 }; /* in one function */
+enum { MOST_NAMED = 32 }; /* greatest number of added variables in one function */
 
 /* ---- loads that qualify ---------------------------------------------------------------------- */
 

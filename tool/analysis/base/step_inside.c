@@ -16,7 +16,7 @@ static unsigned mentions(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* How often the variable is assigned or its address is taken. */
+/* Returns how often the variable is assigned or its address is taken. */
 static unsigned writes(const ir_node *node, const ir_variable *variable) {
     const ir_node *target = expression_written(node);
     unsigned count = target && target->kind == IR_VARIABLE && target->variable == variable;

@@ -59,7 +59,7 @@ static bool has_few_statements(const ir_unit *unit, const ir_node *node, unsigne
 }
 
 static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth) {
-    enum { DEEPEST = 3 }; /* also ends recursion */
+    enum { DEEPEST = 3 }; /* greatest depth of calls; also ends recursion */
     return function->body && depth < DEEPEST && has_few_statements(unit, function->body, depth + 1);
 }
 

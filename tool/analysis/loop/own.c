@@ -84,7 +84,7 @@ static bool is_of(const loop_access *a, const ir_node *element) {
            a->access.lvalue == a->access.node && expression_same(a->access.lvalue, element);
 }
 
-/* Which access to the element each iteration certainly makes first. */
+/* The access to the element that each iteration certainly makes first. */
 typedef enum first_use { FIRST_UNKNOWN, FIRST_READ, FIRST_STORED } first_use;
 
 static first_use first_use_of(const loop_analysis *j, const ir_node *element) {

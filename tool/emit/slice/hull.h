@@ -8,7 +8,7 @@
 
 #include "emit/slice/access_log.h"
 
-/** Is the loop the outermost of these loops? */
+/** Is the loop the outermost of the loops that visit only their first and last iterations? */
 bool begins_hulls(const inspector *self, const ir_node *loop);
 
 /** begin_hulls writes the declarations before `loop`. end_hulls writes, after the loop, the
