@@ -66,8 +66,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
             /* A plan that later executions reuse stores ranges relative to `first`, which may move
-             * between executions. Without a base they are relative to the site, which never
-             * moves. */
+             * between executions. The range of a source without a base is stored relative to the
+             * site, which never moves. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
