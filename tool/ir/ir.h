@@ -1,26 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The intermediate representation (IR): one translation unit as trees of one node type.
  *
+ *  The frontend builds the IR in one arena. Later stages read it. They also add bodies of functions
+ *  from other files, remove dead branches, and replace parts of a loop while they analyse that
+ *  loop.
  *
- The frontend builds the IR in one arena. Later stages read it. They also add bodies of functions
+ *  The trees represent the source, without implicit conversions (the nodes' types show them) and
+ *  without parentheses (the printer restores those that are needed). Typedefs are resolved.
+ *  Whatever the frontend cannot represent exactly becomes an IR_OPAQUE node, about which nothing
+ *  may be assumed.
  *
- from other files, remove dead branches, and replace parts of a loop while they analyse that
- *
- loop.
- *
- *
- The trees represent the source, without implicit conversions (the nodes' types show them) and
- *
- without parentheses (the printer restores those that are needed). Typedefs are resolved.
- *
- Whatever the frontend cannot represent exactly becomes an IR_OPAQUE node, about which nothing
- *
- may be assumed.
- *
- *
- "Not in the text form" means that ir_print omits the field, so tests that read the IR as text do
- *
- not see it. */
+ *  "Not in the text form" means that ir_print omits the field, so tests that read the IR as text do
+ *  not see it. */
 #ifndef IR_IR_H
 #define IR_IR_H
 
@@ -370,8 +361,8 @@ typedef struct ir_dialect {
     bool is_sanitized;    /* a sanitizer is enabled: undefined arithmetic may end the program */
     bool wraps;           /* signed arithmetic wraps around (-fwrapv) */
     bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
-    bool replaces_openmp; /* a loop's OpenMP directives may be dropped: redcc parallelises the loop
-                             itself */
+    bool replaces_openmp; /* a loop's OpenMP directives may be dropped, because redcc parallelises
+                           * the loop itself */
     const char *refusing_option; /* an option that makes the compiled program differ from this
                                   * tree; NULL if there is none */
     const char *inexact_option;  /* an option that lets the bits of floating-point results depend

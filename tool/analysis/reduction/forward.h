@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Store forwarding, for elements that an iteration stores and then reads:
  *
+ *      o[t] = e; h[o[t]] += w[t];
  *
-      o[t] = e; h[o[t]] += w[t];
- *
- *
- The read uses a variable that has the stored value. It must not use memory: when the inspector
- *
- runs, the element has not been written yet, and in the executor another thread may write it. */
+ *  The read uses a variable that has the stored value. It must not use memory: when the inspector
+ *  runs, the element has not been written yet, and in the executor another thread may write it. */
 #ifndef ANALYSIS_FORWARD_H
 #define ANALYSIS_FORWARD_H
 
