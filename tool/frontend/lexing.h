@@ -12,8 +12,10 @@
  *  - blanks between a backslash and the line's end;
  *  - _Pragma, the start of a raw string, or a comment's mark, when split over two lines;
  *  - pieces that a macro may paste to form _Pragma;
- *  - #elifdef and #elifndef. Comments and strings are searched too, because compilers may disagree
- *    about where they end. The result is a static string. Thread-safe. */
+ *  - #elifdef and #elifndef.
+ *
+ *  Comments and strings are searched too, because compilers may disagree about where they end. The
+ *  result is a static string. Thread-safe. */
 const char *lexing_in_doubt(const char *text, size_t length);
 
 /** Is there a quote between digits, which only C23 permits? Thread-safe. */

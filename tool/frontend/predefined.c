@@ -5,7 +5,7 @@
 
 #include "support/source.h"
 
-/* Flags for a compiler other than clang. Other macros that only clang defines stay defined, because
+/* Removes the names that identify clang. Other macros that only clang defines stay defined, because
  * clang's own headers need them. A program that names one of these macros is not analysed
  * (compiler_words.c). */
 static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};

@@ -6,8 +6,8 @@
  *      int i = (int)floor((r - table->x0) * table->inverse);
  *      if (i > table->n) i = table->n;
  *
- *  After these statements i is between 0 and n if table->inverse is not negative. The difference `r
- *  - x0` is not negative if `r` is not below `x0`, in any rounding mode. Sums, products, square
+ *  After these statements i is between 0 and n if table->inverse is not negative. In any rounding
+ *  mode, the difference `r - x0` is not negative if `r` is not below `x0`. Sums, products, square
  *  roots and integer parts of values that are not negative are not negative either. The conversion
  *  of a NaN, or of a value that is too large for an integer, is undefined (C17 6.3.1.4).
  *

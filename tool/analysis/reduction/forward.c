@@ -5,8 +5,10 @@
  * - it is the same expression as the store's target, and no operand changes in between;
  * - no other write between the store and the read can change the element. This must be proved: a
  *   guard, which compares reads with each array, would always fail for the array stored to;
- * - it is in the loop's text, so that a variable's name can replace it. If other expressions
- *   certainly read the element, the loop is refused. If they may read it, they are guarded. */
+ * - it is in the loop's text, so that a variable's name can replace it.
+ *
+ * If other expressions certainly read the element, the loop is refused. If they may read it, they
+ * are guarded. */
 #include "analysis/reduction/forward.h"
 
 #include "analysis/base/expression.h"

@@ -95,8 +95,8 @@ static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     return found;
 }
 
-/* Outside the loop, does the node name a function that may distribute iterations, or a thread-local
- * variable from which a thread may learn its number? */
+/* Does the node, apart from the loop, name a function that may distribute iterations, or a
+ * thread-local variable from which a thread may learn its number? */
 static bool may_call_loops(const team_loop *it, const ir_node *node) {
     if (node == it->loop)
         return false;
