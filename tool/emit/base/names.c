@@ -100,9 +100,9 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return "int";
 }
 
-/** Returns the spelling of a constant pointer to an array or function, such as `double
- * (*const)[3]`, without the pointer's own `const`. That is the `const` after the last `*` in the
- * innermost parentheses. */
+/** Returns the spelling of a constant pointer to an array or function without the pointer's own
+ * `const`: for `double (*const)[3]`, this is the `const` after the last `*` in the innermost
+ * parentheses. */
 static const char *without_const_inside(arena *a, const char *spelling) {
     static const char word[] = "const";
     const char *const close = strchr(spelling, ')'), *own = NULL, *at = close;
