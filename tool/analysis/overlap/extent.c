@@ -308,8 +308,8 @@ static bool is_counter_and_constant(const ir_node *subscript) {
     return subscript->kind == IR_VARIABLE;
 }
 
-/* Returns the bounds of rows if inner loops over constants read all of them in each iteration, as in
- * `for (c = 0; c < 24; c++) ... centre[c][k]`. NULL if the read has another form. */
+/* Returns the bounds of rows if inner loops over constants read all of them in each iteration, as
+ * in `for (c = 0; c < 24; c++) ... centre[c][k]`. NULL if the read has another form. */
 static const element_bounds *constant_bounds(const loop_analysis *j, const loop_access *read,
                                              const ir_node *row) {
     bound_term low = {0}, high = {0};
