@@ -15,8 +15,8 @@
 #include "analysis/verdict.h"
 #include "ir/ir_position.h"
 
-/* For if (R[k] < v) { ... R[k] = v; ... }: the element R[k] that is compared and stored to. NULL if
- * the statement has another form. */
+/* For if (R[k] < v) { ... R[k] = v; ... }, returns the element R[k] that is compared and stored to.
+ * NULL if the statement has another form. */
 static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
     if (node->kind == IR_EXPRESSION)
         node = node->children[0];
@@ -30,9 +30,9 @@ static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
     return found;
 }
 
-/* Does a value as in `v[k][1] = v[k][1] + 3` read the same part of a vector that is assigned?
- * Opaque nodes count as equal here if their operands are, because this only decides whether the
- * loop is reported. */
+/* Does the value, as in `v[k][1] = v[k][1] + 3`, read the part of a vector that is assigned? Opaque
+ * nodes count as equal here if their operands are, because this only decides whether the loop is
+ * reported. */
 static bool reads_opaque(const ir_node *value, const ir_node *target) {
     bool is_same = value->kind == IR_OPAQUE && value->child_count == target->child_count &&
                    target->child_count > 0;
@@ -89,8 +89,8 @@ static bool has_conflict(const analyser *an, const ir_node *loop, const ir_node 
     return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }
 
-/* An update at or below `node` that has a conflict of this kind in `loop`; NULL if there is none.
- * If `innermost` is set, updates that also have it in an inner loop are ignored. */
+/* Returns an update at or below `node` that has a conflict of this kind in `loop`; NULL if there is
+ * none. If `innermost` is set, updates that also have the conflict in an inner loop are ignored. */
 static const ir_node *find_conflict(const analyser *an, const ir_node *loop, const ir_node *node,
                                     conflict_kind kind, bool innermost) {
     if (has_conflict(an, loop, node, kind)) {
@@ -148,8 +148,9 @@ static bool has_reported_inside(const loop_search *s, unsigned from, const ir_no
     return false;
 }
 
-/* Was a loop directly inside accepted instead? That loop has far fewer iterations to distribute at
- * a time, so the user should learn why the outer one was refused. */
+/* Was a loop directly inside the refused loop accepted? The inner loop has far fewer iterations to
+ * distribute at a time, so the user should learn why the outer one was refused. False if the reason
+ * is REASON_TRIP_COUNT. */
 static bool inner_is_accepted(const loop_search *s, unsigned from, const loop_verdict *refused) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&

@@ -71,10 +71,10 @@ static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
     return true;
 }
 
-/* The size of the array's unit, chosen so that no element is split. The boundaries between owners'
- * parts of memory are boundaries of units. If an element extended over one, and another array
- * overlapped it, the element would have two owners. A record with unaligned scalars is therefore
- * one unit. */
+/* Returns the size of the array's unit, chosen so that no element is split. The boundaries between
+ * owners' parts of memory are boundaries of units. If an element extended over a boundary, and
+ * another array overlapped the element, the element would have two owners. A record with unaligned
+ * scalars is therefore one unit. */
 static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     const ir_type *record = ir_type_innermost(row);
     if (record->kind != IR_RECORD || record->size <= unit ||
@@ -104,8 +104,8 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     facts->array_count = j->arrays.count;
 }
 
-/* For a refused loop: the arrays with updates that have a conflict of this kind, as far as they are
- * known. */
+/* For a refused loop, returns the arrays with updates that have a conflict of this kind, as far as
+ * these arrays are known. */
 static array_list arrays_of_kind(const loop_analysis *j, conflict_kind kind) {
     array_list arrays = {0};
     access_list list = {0};
@@ -181,7 +181,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
 
 /* ---- the checks, and the use of their results ---------------------------------------------------
  * Each check gets the facts found so far as constants. Only this file adds a check's results to
- * them. */
+ * these facts. */
 
 /* Sets the reason. Returns whether the check has passed, that is, found none. */
 static bool passes(loop_analysis *j, reason why) {
@@ -306,8 +306,8 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
                           .facts = facts};
 }
 
-/* Analyses the loop without the stores that can be made after all iterations. Refuses it if there
- * are none. */
+/* Analyses the loop without the stores that can be made after all iterations. Returns
+ * VERDICT_REFUSE if there are no such stores. */
 static loop_verdict analysed_without(const analyser *an, ir_function *function, ir_node *loop) {
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const distribution *stores = add_header(&j) ? distribution_find(&j) : NULL;
@@ -319,9 +319,10 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* Analyses the loop again, with variables in place of pointers that it loads, if `found` is a
- * refusal that this may change. It may if a pointer is read only under conditions, if its target
- * must be known when the loop begins, or if the elements behind it may be own elements. */
+/* If `found` is a refusal that may be due to a pointer that the loop loads, analyses the loop again
+ * with a variable in place of each such pointer. Such refusals are: a pointer is read only under
+ * conditions, its target must be known when the loop begins, or the elements behind it may be own
+ * elements. Returns `found` if none of these applies, or if the new analysis does not help. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     const reason_id why = found.why.id;
@@ -403,8 +404,8 @@ static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
                           .facts = finish_facts(j)};
 }
 
-/* The name of the array to which a node stores or refers, for a store that is no update such as
- * `h[i] = 0`. */
+/* Returns the name of the array to which `store` stores or refers. `store` is a store that is no
+ * update, such as `h[i] = 0`. */
 static const char *name_written(const loop_analysis *j, const ir_node *store) {
     const ir_node *lvalue = expression_written(store);
     if (!lvalue)

@@ -56,8 +56,9 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* The compiler's output for these options. It is cached under `of_whom`, the compiler's identity,
- * because no source can affect it. Returns NULL if the compiler fails. */
+/* Returns what the compiler prints when called with the options `question`. The answer is cached
+ * under `of_whom`, the compiler's identity, because no source can affect it. Returns NULL if the
+ * compiler fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;
@@ -85,8 +86,8 @@ static const char *ask_compiler(session *s, const store *kept, const digest *of_
     return text;
 }
 
-/* Adds to `folders` the folders in the output of -v, in any language, including nonexistent ones.
- * Other paths in the output may be added as well. */
+/* Adds to `folders` the folders that the compiler prints under -v, in any language, including
+ * nonexistent folders. Other paths in the text may be added as well. */
 static void add_printed_folders(arena *a, const char *text, word_list *folders) {
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t end = strcspn(line, "\n");
@@ -98,8 +99,8 @@ static void add_printed_folders(arena *a, const char *text, word_list *folders) 
     }
 }
 
-/* Adds the loader's cache to the digest: if it changes, names of shared libraries may lead to other
- * files. */
+/* Adds the dynamic loader's cache to the digest: if the cache changes, names of shared libraries
+ * may lead to other files. */
 static bool add_loader(session *s, const store *kept, digester *d) {
     static const char path[] = "/etc/ld.so.cache";
     word_list files = {0};
@@ -160,8 +161,8 @@ static bool know_translator(session *s, struct cache *c, const char *list, size_
     return is_known;
 }
 
-/* Has the translator list its libraries and folders for an empty source. This is done once; then
- * the list is cached. */
+/* Makes the translator list its libraries and folders, by translating an empty source. The list is
+ * cached, so this is done only once. */
 static const char *ask_translator(session *s, const struct cache *c, size_t *length) {
     arena *a = s->memory;
     store_part kept;

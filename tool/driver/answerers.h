@@ -21,13 +21,13 @@ const store *answerers_store(const session *s);
 /** The identity of the program, a digest of its contents. */
 const digest *answerers_identity(const session *s, cache_program program);
 
-/** Adds the contents of the assembler that the compiler runs to the digest; false if the assembler
- * is unknown. */
+/** Adds to the digest the contents of the assembler that the compiler runs. Returns false if the
+ * assembler is unknown. */
 bool answerers_add_assembler(session *s, digester *d);
 
 /** Adds to the request all folders that are searched for headers of the command's sources, and the
- * headers that are included without being named in a source. Returns the reason if they are
- * unknown, or NULL. */
+ * headers that the command includes (-include) although no source names them. Returns NULL, or the
+ * reason why the folders or headers are unknown. */
 const char *answerers_add_folders(session *s, closure_request *request);
 
 #endif

@@ -46,7 +46,8 @@ static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
 }
 
-/* Adds the option for colours, which compilers leave out because their messages go to a file. */
+/* Adds the option for coloured messages. Without it the compiler prints no colours, because its
+ * messages go to a file. */
 static void add_colour(session *s, word_list *list) {
     const char *terminal = getenv("TERM");
     bool chosen = false;
@@ -62,8 +63,8 @@ bool build_can_add_runtime(const session *s) {
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 
-/* Adds the runtime if a linked object has loops for it. The loops refer to it weakly, so a linker
- * would not load it from the archive. */
+/* Adds the runtime if a linked object has loops for it. The loops refer to the runtime only weakly,
+ * and a linker loads no part of an archive for a weak reference. */
 static void add_runtime(session *s, word_list *list, bool has_loops) {
     arena *a = s->memory;
     if (!build_can_add_runtime(s) || !(has_loops || loops_are_linked(s)))
@@ -85,8 +86,8 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
     words_add(a, list, "-Wl,--pop-state");
 }
 
-/* Runs the original command. If it links objects with loops, the runtime is added; if that fails,
- * the command is repeated without the runtime. */
+/* Runs the original command. If it links objects with loops, the runtime is added. If the link with
+ * the runtime fails, the command is repeated without it. */
 static _Noreturn void build_original(session *s) {
     if (!build_can_add_runtime(s) || !loops_are_linked(s))
         session_become_compiler(s);
@@ -130,7 +131,7 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
 }
 
 /* Adds the command that compiles one translated text to `object`. If `object` is NULL, the
- * command's -c or -S has its default output. */
+ * command's own -c or -S is kept, with its default output. */
 static void add_alone(session *s, word_list *list, const translation *t, const char *object) {
     arena *a = s->memory;
     words_add_all(a, list, &s->real.words);
@@ -149,8 +150,8 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
     words_add(a, list, t->is_input ? "-" : t->text);
 }
 
-/* Compiles the source itself, only for its messages. They are cached: otherwise every build would
- * compile a source with warnings twice. */
+/* Compiles the source itself, only for its messages. The messages are cached, because otherwise
+ * every build would compile a source with warnings twice. */
 static attempt compile_for_messages(session *s, const translation *t) {
     arena *a = s->memory;
     word_list words = {0};
@@ -184,10 +185,10 @@ static attempt try_text(session *s, const translation *t, const word_list *words
     return made;
 }
 
-/* Compiles a translated text. Since the text contains a loop's body several times, it would repeat
- * each warning. So the messages shown are those of the source itself. With -Werror the text may
- * fail because of warnings that the source does not have. In that case it is compiled once more
- * without warnings. */
+/* Compiles a translated text. The text contains a loop's body several times, so the compiler would
+ * repeat each warning. The messages shown are therefore those for the source itself. With -Werror
+ * the text may fail because of warnings that the source does not have. In that case it is compiled
+ * once more without warnings. */
 static attempt compile_text(session *s, const translation *t, word_list *words,
                             const char *object) {
     attempt made = try_text(s, t, words, object);
@@ -222,8 +223,8 @@ static void note_liberty(const session *s, const translation *t) {
                      t->source->text, liberty);
 }
 
-/* Compiles a translated text. On success its messages are shown; on failure none are. Returns
- * whether it succeeded. */
+/* Compiles a translated text, and shows its messages if it succeeds. Returns whether it succeeds
+ * and reads the source's own headers. */
 static bool compile(session *s, const translation *t, word_list *words, const char *object) {
     attempt made = compile_text(s, t, words, object);
     if (was_interrupted(&made))
@@ -243,8 +244,8 @@ static bool compile(session *s, const translation *t, word_list *words, const ch
     return same;
 }
 
-/* Has the compiler write the requested dependency files for the sources themselves, so that their
- * names and contents are the compiler's own. */
+/* Makes the compiler write the requested dependency files for the sources themselves, so that the
+ * files have the names and contents that the compiler gives them. */
 static bool write_dependencies(session *s, const translation *first) {
     if (!(s->command.meaning & OPTION_DEPENDENCY))
         return true;
@@ -289,8 +290,8 @@ static const char *object_of(session *s, const translation *t) {
     return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
-/* Completes a command with -c or -S and several sources: compiles together those whose translated
- * texts are not used. */
+/* Completes a command with -c or -S and several sources. The sources whose translated texts are not
+ * used are compiled together. */
 static _Noreturn void build_separately(session *s, const translation *translations,
                                        const bool *done, unsigned count) {
     word_list rest = {0};

@@ -22,9 +22,10 @@ bool build_report_append(arena *a, const char *json_file, const char *report);
 /** Appends {"redcc": VERSION, "file": ..., "loops": [], "left_alone": why}, and "directory". */
 bool build_report_append_left_alone(const char *file, const char *why, const char *report);
 
-/** Prints a summary of a build's report: the numbers of files translated, analysed and compiled
- * unchanged, of loops made parallel, and the reasons for the others, most frequent first. Returns
- * 0, or 1 with a message on standard error if the report cannot be read or a line is invalid. */
+/** Prints a summary of a build's report: the numbers of files that were translated, analysed, and
+ * compiled unchanged; the number of loops made parallel; and the reasons for the other loops and
+ * files, most frequent first. Returns 0, or 1 with a message on standard error if the report
+ * cannot be read or a line is invalid. */
 int build_report_summarise(const char *report, FILE *out);
 
 #endif

@@ -43,8 +43,8 @@ struct cache *cache_open(session *s) {
 
 /* ---- a source -------------------------------------------------------------------------------- */
 
-/* Reads the project's files, once for all of its sources. `key`: the key of all files in the store,
- * or NULL if a file has just changed, so that nothing is stored. */
+/* Reads the project's files. They are stored once for all of the project's sources. `key`: the key
+ * of all files in the store, or NULL if a file has just changed; then nothing is stored. */
 static const project *project_of(session *s, const char *file, const word_list *list,
                                  const digest *key) {
     arena *a = s->memory;
@@ -60,8 +60,9 @@ static const project *project_of(session *s, const char *file, const word_list *
     return project_from(a, file, &files);
 }
 
-/* Returns the project's digest for the source (project_digest). It is cached by source, because
- * reading the functions of hundreds of files would take longer than all other work. */
+/* Returns the project's digest for the source (project_digest). The digest is cached for each
+ * source, because reading the functions of hundreds of files would take longer than all other
+ * work. */
 static digest digest_around(session *s, const char *file) {
     arena *a = s->memory;
     const word_list list = project_list(a, file);
@@ -162,7 +163,7 @@ static store_part part_of_file(session *s, const cached *c, const char *path) {
     return (store_part){part, length + 1};
 }
 
-/* Writes a new file, as compilers do: if the old one has other names (hard links), these keep its
+/* Writes a new file in place of an old one, as compilers do. Hard links to the old file keep its
  * bytes. */
 static bool write_file(const char *path, const char *bytes, size_t length) {
     unlink(path);

@@ -26,7 +26,7 @@ typedef struct cached_run {
                               * the outputs */
     const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
-    const digest *beside;    /**< a digest of other things that the outputs depend on, or NULL */
+    const digest *beside;    /**< a digest of other things on which the outputs depend, or NULL */
 } cached_run;
 
 /** Opens the store and identifies the programs. Returns NULL if nothing is to be cached. */
@@ -44,15 +44,15 @@ int cached_run_program(session *s, cached *c, const cached_run *run);
  * cache. */
 bool cached_restore(session *s, cached *c, const cached_run *run, int *status);
 
-/** Stores the outputs of the run for which cached_restore was last called, and which ended with
- * this status, if they depend on its inputs alone. */
+/** Stores the outputs of the run for which cached_restore was last called, unless they may depend
+ * on more than its inputs. `status`: the exit status with which the run ended. */
 void cached_keep(session *s, cached *c, const cached_run *run, int status);
 
 /** Returns the cached text about the subject `about`, which depends on `words`. Returns NULL if it
  * is not in the cache. */
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words);
 
-/** Stores such a text (cached_text). */
+/** Stores a text, which cached_text then returns for the same `about` and `words`. */
 void cached_keep_text(session *s, cached *c, const char *about, const word_list *words,
                       const char *text);
 

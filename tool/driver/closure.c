@@ -37,7 +37,7 @@ typedef struct search {
     word_list macros; /* macros that may expand to names of headers */
     map *met;         /* pairs of a file and the folder in which it was found */
     map *names;       /* names already searched in all folders */
-    map *below;       /* folders of paths: does each exist? */
+    map *below;       /* folders of the paths tried, and whether each exists */
     uintptr_t count;  /* number of different files so far */
 } search;
 
@@ -62,8 +62,8 @@ static char *read_open(arena *a, int file, size_t size) {
     return text;
 }
 
-/* Was the file not yet found in this folder? A file that includes "../a/x.h" leads to the same
- * folder under ever longer names, and so to the same files again. */
+/* Is this the first time that the file is found in this folder? A file that includes "../a/x.h"
+ * leads to the same folder under ever longer names, and so to the same files again. */
 static bool is_new_in_folder(search *s, const char *name, const struct stat *about) {
     struct stat folder;
     const char *path = path_folder(s->arena, name);
@@ -114,8 +114,8 @@ static void add_file(search *s, const char *name, int file) {
     read_names(s, name, text, (size_t)about.st_size);
 }
 
-/* Gives up if a precompiled form of the header exists: the compiler would read that form, which is
- * not C. */
+/* Gives up if a precompiled form of the header exists, because the compiler would read this form,
+ * which is not C. */
 static void check_precompiled(search *s, const char *path, const char *ending) {
     const char *other = arena_format(s->arena, "%s.%s", path, ending);
     if (access(other, F_OK) == 0)
@@ -124,8 +124,8 @@ static void check_precompiled(search *s, const char *path, const char *ending) {
         lookups_note(s->seen, other, NULL);
 }
 
-/* Does the folder of `path` not exist? Half of all names begin with bits/ or sys/, which most
- * search folders do not contain. */
+/* Does the folder of `path` not exist? Half of all included names begin with bits/ or sys/, folders
+ * that most search folders do not contain. */
 static bool folder_is_absent(search *s, const char *path) {
     static const char absent[] = "absent";
     const char *slash = strrchr(path, '/');
@@ -203,8 +203,8 @@ static void read_names(search *s, const char *name, const char *text, size_t len
         try_everywhere(s, names.angled.items[i]);
 }
 
-/* Finds the folders that exist. The digest `state` also covers those that do not, so that it
- * changes if one is created later. */
+/* Finds the folders that exist. The digest `state` also covers those that do not exist, so it
+ * changes if one of them is created later. */
 static void find_folders(search *s, const word_list *all) {
     for (unsigned i = 0; i < all->count; i++) {
         struct stat about;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * All files that a preprocessor could read for a source, whatever branches it takes and in whatever
- * order it searches. A file in a search folder belongs to them if the source, or another file of
- * the closure, includes its name. If two closures are equal, so is the preprocessor's input: the
- * closure changes if a header appears, vanishes, moves or hides another one.
+ * order it searches. A file in a search folder belongs to the closure if the source, or another
+ * file of the closure, includes its name. If two closures are equal, so is the preprocessor's
+ * input: the closure changes if a header appears, vanishes, moves or hides another header.
  */
 #ifndef DRIVER_CLOSURE_H
 #define DRIVER_CLOSURE_H
@@ -16,7 +16,7 @@
 #include "driver/words.h"
 #include "support/map.h"
 
-/** The starting points and the search path. */
+/** The starting points and the search path of a closure. */
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
     const char *name;   /**< the source's name; its folder is searched for headers */

@@ -43,7 +43,8 @@ typedef struct command {
  *  the compiler treats C files as C++ (g++). */
 command command_parse(arena *a, const word_list *words, bool c_is_cxx);
 
-/** Returns whether a configure script, CMake or Meson tests the compiler with this command. */
+/** Returns whether the command seems to come from a configure script, CMake or Meson that tests the
+ *  compiler. This is decided by the names of the folder, the inputs and the output. */
 bool command_is_probe(const command *c, const char *folder);
 
 /** The argument of an item's option, joined or as the next word: "x.o" of "-ox.o"; "" if none. */

@@ -18,9 +18,8 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
     return false;
 }
 
-/* Is this an option that names no file but headers and the object, and that does not depend on the
- * machine? An option that matches no list does not count as plain, except for -f options without a
- * value. */
+/* Does the item name no file except headers and the object, and not depend on the machine? An
+ * option that matches no list does not count as plain, except for -f options without a value. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",
@@ -104,7 +103,8 @@ static bool has_debugging_information(const command *c) {
 }
 
 /* Sets *found to a digest of other things on which an object depends: the assembler and, with
- * debugging information, the folder and its name in $PWD. Returns false if they are unknown. */
+ * debugging information, the current folder and its name in $PWD. Returns false if they are
+ * unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();

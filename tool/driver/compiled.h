@@ -6,9 +6,9 @@
 
 #include "driver/translate.h"
 
-/** Compiles the text by the command `words` to `object` (NULL: the command's own output). Returns
- * the exit status. Sets *same to whether the compiler read the source's headers
- * (translation_read_same). */
+/** Compiles the translated text by the command `words` to `object` (NULL: the command's own
+ * output). Returns the exit status. Sets *same to true if the compiler read the same headers as
+ * for the source (translation_read_same), and to false if it did not or the compilation failed. */
 int compiled_text(session *s, const translation *t, const word_list *words, const char *object,
                   process_streams streams, bool *same);
 

@@ -16,8 +16,9 @@ static bool is_self(const char *self, const char *path) {
     return self && path_same_file(self, path);
 }
 
-/* The path that execvp would use for `name`, skipping entries that lead back to this program
- * (counted in *skipped), or NULL if there is none. */
+/* Returns the path that execvp would use for `name`, but skips entries of PATH that lead back to
+ * this program. Adds the number of skipped entries to *skipped. Returns NULL if there is no such
+ * path. */
 static const char *find_program(arena *a, const char *self, const char *name, unsigned *skipped) {
     if (strchr(name, '/')) {
         *skipped += is_self(self, name);
@@ -64,8 +65,8 @@ static bool names_compiler(arena *a, const char *word) {
            find_program(a, NULL, word, &skipped);
 }
 
-/* Takes the compiler's name, and those of launchers before it, from the words, if the first word is
- * such a name (launcher form). */
+/* If the words begin with a compiler's or launcher's name (launcher form), takes the names of
+ * launchers and then the compiler's name from them. */
 static void take_from_front(arena *a, const char *self, unsigned count, char *const *words,
                             compiler *c) {
     while (c->taken < count && names_compiler(a, words[c->taken])) {

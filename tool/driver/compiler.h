@@ -9,8 +9,8 @@
 
 typedef struct compiler {
     word_list words; /**< the command before the arguments: "gcc", or "ccache", "gcc" */
-    word_list bare;  /**< the command without launchers, for queries, which ccache would count as
-                      * misses */
+    word_list bare;  /**< the command without launchers, for queries: ccache would count a query as
+                      * a miss */
     unsigned taken;  /**< number of given words that name the compiler (launcher form) */
     bool is_clang;
     bool is_cxx;          /**< treats a C file as C++ */
@@ -19,10 +19,10 @@ typedef struct compiler {
     bool found;           /**< whether there is a compiler other than this program itself */
 } compiler;
 
-/** Chooses in this order: the first given word, if it is a compiler's name (launcher form);
- *  $REDCC_CC; the name by which this program was called, if it is not redcc-cc and another
- * program has it; the first of cc, gcc and clang that exists.
- *  `self` is this program's path; paths that lead back to it are skipped. */
+/** Chooses in this order: the given words, as far as they name launchers and then a compiler
+ *  (launcher form); $REDCC_CC; the name by which this program was called, if it is not redcc-cc and
+ *  another program has it; the first of cc, gcc and clang that exists. `self` is this program's
+ *  path; paths that lead back to it are skipped. */
 compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words);
 
 /** Returns whether a launcher (ccache), which may reuse earlier compilations, runs the compiler. */

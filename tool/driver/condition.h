@@ -14,8 +14,8 @@ typedef struct condition_version {
     bool is_clang;
 } condition_version;
 
-/** A known or unknown value. An unknown one has a `form`, the hash of its expression, so that two
- * conditions of the same form have the same value, whatever the unknown names are. */
+/** A known or unknown value. The `form` of an unknown value is the hash of its expression: two
+ * unknown values with the same form are equal, whatever the unknown names stand for. */
 typedef struct condition_value {
     bool is_wrong; /**< the expression is not understood */
     bool is_known;
@@ -23,8 +23,8 @@ typedef struct condition_value {
     uint64_t form;
 } condition_value;
 
-/** Evaluates a preprocessor expression (C17 6.10.1). Only the names that `version` determines have
- * known values, also as operands of `defined`. */
+/** Evaluates a preprocessor expression (C17 6.10.1). Only the macros that `version` determines have
+ * known values; they are also the only known operands of `defined`. */
 condition_value condition_evaluate(const char *expression, condition_version version);
 
 /** Returns whether both are the same value, or the same unknown; false if either is wrong. */

@@ -75,8 +75,8 @@ static bool is_the_runtimes(const char *name) {
     return false;
 }
 
-/* The headers of a list: without the source itself, the runtime's headers, and repetitions (gcc
- * repeats a header that is found by two paths). */
+/* Returns the headers in a list, without the source itself, the runtime's headers, and repetitions.
+ * gcc lists a header twice if it finds it by two paths. */
 static word_list headers_of(arena *a, const word_list *list, const char *path) {
     word_list headers = {0};
     const char *itself = without_dot_slash(path);

@@ -24,8 +24,8 @@ static uint64_t turned(uint64_t word, unsigned by) {
     return word >> by | word << (64 - by);
 }
 
-/* Inlined into unrolled rounds, so that every index is a constant and `v` stays in registers. This
- * leaves a third of the instructions. */
+/* Inlined into unrolled rounds, so that every index is a constant and `v` stays in registers. The
+ * rounds then have a third of the instructions. */
 __attribute__((always_inline)) static inline void
 mix(uint64_t *v, unsigned a, unsigned b, unsigned c, unsigned d, uint64_t x, uint64_t y) {
     v[a] += v[b] + x;

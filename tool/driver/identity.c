@@ -148,7 +148,7 @@ static bool is_same_for_all_versions(const char *expression) {
     return true;
 }
 
-/* Is this occurrence of `word` in its line irrelevant, because the line means the same to all
+/* Is this occurrence of `word` harmless, because the line in which it occurs means the same to all
  * compilers? */
 static bool is_harmless(const char *line, const char *word) {
     line += strspn(line, " \t");

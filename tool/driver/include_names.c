@@ -72,8 +72,9 @@ static bool is_directive(const char *text, const char *at) {
 }
 
 /* Adds the macro at `at`, which may expand to the name of a header. Returns false if a compiler may
- * predefine it (reserved names, `linux`), or its name has bytes other than letters, digits and _.
- * If there is no name, nothing is added: the text is a comment, or an error. */
+ * predefine the macro (reserved names, `linux`), or its name has bytes other than letters, digits
+ * and _. Adds nothing if there is no name at `at`: the text is then in a comment, or is an
+ * error. */
 static bool add_macro(arena *a, const char *at, include_names *names) {
     size_t length = 0;
     bool has_capital = false;

@@ -14,9 +14,10 @@ typedef struct include_names {
     const char *text; /**< the text itself, with spliced lines joined */
 } include_names;
 
-/** Adds the names in `length` bytes of text, each at least once, and perhaps some from comments.
- * Returns NULL, or why the list is incomplete: a name comes from a macro that a compiler may
- * predefine, the text changes with time (__TIME__), or trigraphs may hide a directive. */
+/** Adds the names that `length` bytes of text include, each at least once, and perhaps some names
+ * from comments. Returns NULL, or why the list is incomplete: a name comes from a macro that a
+ * compiler may predefine, the text changes with time (__TIME__), or trigraphs may hide a
+ * directive. */
 const char *include_names_find(arena *a, const char *text, size_t length, include_names *names);
 
 /** Returns whether the text, with spliced lines joined, may define the macro: its name occurs other

@@ -5,8 +5,8 @@
 
 #include "driver/session.h"
 
-/** Does an object, an archive or a library in the command contain loops for the runtime? Libraries
- *  given by short names are searched in the folders that the command names. */
+/** Does an object, an archive or a library in the command contain loops for the runtime? A library
+ *  given as -lNAME is searched in the folders that the command names. */
 bool loops_are_linked(session *s);
 
 /** Does this file contain loops for which this link must add a runtime? */

@@ -20,8 +20,8 @@
 /* A file that changed this recently may change again without a new time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
-/* The identity of a path. For a folder that was found, only the first three numbers are compared;
- * if names were missing in it, all are. */
+/* The numbers that identify a path. For a folder that was found, only the first three are compared.
+ * If names were missing in the folder, all are compared. */
 enum { KIND, DEVICE, INODE, SIZE, MODIFIED, MODIFIED_PART, CHANGED, CHANGED_PART, NUMBERS };
 enum { KIND_NOTHING, KIND_FILE, KIND_FOLDER };
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Records which files a search found, and which it did not find, to decide later, without reading a
- * file, whether it would find the same again. A file counts as unchanged if its device, inode, size
- * and both times are the same. A missing file counts as still missing while its folder is
- * unchanged. A file that changed shortly before the search began may change again without a new
- * time, so it makes the record invalid. Not thread-safe.
+ * Records which files a search found and which it did not find. The record shows later, without
+ * reading a file, whether the search would find the same files again. A file counts as unchanged if
+ * its device, inode, size and both times are the same. A missing file counts as still missing while
+ * its folder is unchanged. A file that changed shortly before the search began may change again
+ * without a new time, so it makes the record invalid. Not thread-safe.
  */
 #ifndef DRIVER_LOOKUPS_H
 #define DRIVER_LOOKUPS_H
@@ -19,8 +19,8 @@ typedef struct lookups lookups;
 /** Begins a search. */
 lookups *lookups_new(arena *a);
 
-/** Records that the search has tried `path` and found a file with this status (stat); NULL: it
- * found none. */
+/** Records that the search has tried `path`. `about` is the status (stat) of the file that it found
+ * there, or NULL if it found none. */
 void lookups_note(lookups *l, const char *path, const struct stat *about);
 
 /** Records that the search depends on something that cannot be recorded: the record is invalid. */

@@ -76,8 +76,8 @@ int process_run(arena *a, const word_list *words, process_streams streams) {
     sigemptyset(&caught);
     for (unsigned i = 0; i < CAUGHT_COUNT; i++)
         sigaddset(&caught, caught_signals[i]);
-    sigprocmask(SIG_BLOCK, &caught, &before); /* no signal may arrive between fork and `child =
-                                               * pid` */
+    sigprocmask(SIG_BLOCK, &caught, &before); /* no signal may be handled between fork and the
+                                               * assignment of `child` */
     if (last_signal) {
         sigprocmask(SIG_SETMASK, &before, NULL);
         return -last_signal;

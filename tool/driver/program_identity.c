@@ -16,8 +16,8 @@ extern char **environ;
 /* A file that changed within these seconds may change again and keep its time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
-/* Adds a file's path, identity, size and times to the digest; false if it is no plain file. Clears
- * *is_settled if it changed recently. */
+/* Adds a file's path, identity, size and times to the digest. Returns false if it is no plain file.
+ * Clears *is_settled if the file changed recently. */
 static bool add_times(digester *d, const char *path, bool *is_settled) {
     struct stat about;
     if (stat(path, &about) != 0 || !S_ISREG(about.st_mode))

@@ -69,8 +69,8 @@ static bool describes_build(arena *a, const char *folder) {
     return false;
 }
 
-/* The outermost folder with a build description, at most a few levels above `folder`, or NULL if
- * there is none. The home folder and those above it do not count. */
+/* Returns the outermost folder with a build description, at most a few levels above `folder`; NULL
+ * if there is none. The home folder, and folders above it, do not count. */
 static const char *root_of(arena *a, const char *folder) {
     const char *root = NULL, *home = getenv("HOME");
     char *at = arena_string(a, folder);
@@ -306,8 +306,8 @@ static const project_definers *new_definers_of(const project *p, map *seen, cons
     return is_new ? definers_of(p, name) : &no_definers;
 }
 
-/* Records the calls of the function, and those of its callees. In each file that defines a
- * callee, the calls of all static functions are recorded as well. */
+/* Records in `seen` the functions that this function calls, directly or not. In each file that
+ * defines one of them, also follows the calls of all static functions. */
 static void note_calls(project *p, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];
@@ -323,8 +323,8 @@ static void note_calls(project *p, map *seen, const project_function *function) 
 }
 
 /* Records the functions that are called, directly or not, from functions with loops in other files.
- * Calls of static functions are not followed: in a file with a loop, each static function counts as
- * one with a loop. */
+ * In a file with a loop, each static function counts as one with a loop, so calls of static
+ * functions need not be followed. */
 static void note_called(project *p) {
     p->called = map_new(p->memory);
     for (unsigned i = 0; i < p->files.count; i++) {

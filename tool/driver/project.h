@@ -32,7 +32,7 @@ typedef VECTOR(project_file) project_scan;
 
 typedef struct project {
     arena *memory;
-    const char *own; /* the source of the query */
+    const char *own; /* the source about which the queries below ask */
     project_scan files;
     map *definers; /* the name of an external function -> project_definers */
     map *called;   /* the names of functions called, directly or not, from functions with loops in

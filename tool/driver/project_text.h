@@ -9,8 +9,8 @@
 
 store_part project_write(arena *a, const project_scan *files);
 
-/** Reads the files that project_write has written. Their names are not copied: they point into
- * `part`. */
+/** Reads the files that project_write has written. Their names point into `part`; they are not
+ * copied. */
 project_scan project_read(arena *a, const store_part *part);
 
 #endif

@@ -19,8 +19,9 @@
 #include "driver/temporary.h"
 #include "html/html.h"
 
-/* The nesting depth of redcc-cc. A depth of 1 is possible: the compiler is a script that calls
- * redcc-cc by another name. A depth of 2 is an endless recursion. */
+/* The environment variable with the nesting depth of redcc-cc. A depth of 1 is possible if the
+ * compiler is a script that calls redcc-cc by another name. A depth of 2 is an endless
+ * recursion. */
 static const char depth_variable[] = "REDCC_CC_DEPTH";
 
 static const char help_text[] =
@@ -107,8 +108,8 @@ static bool reads_input(const command *c) {
     return false;
 }
 
-/* Is the output also an input? The compiler would refuse to overwrite it, but cannot recognise it
- * when it compiles the translated text instead. */
+/* Is the output also an input? The compiler would refuse to overwrite the input, but cannot
+ * recognise it when it compiles the translated text instead. */
 static bool would_write_over_input(const command *c) {
     for (unsigned i = 0; c->output && i < c->count; i++)
         if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))
@@ -186,8 +187,8 @@ static _Noreturn void translate_and_build(session *s) {
     build(s, translations, count);
 }
 
-/* The reason to report for a compiled input that is no C source, or NULL if it is neither
- * preprocessed C nor C++. */
+/* Returns the reason to report for an input that is compiled but is no C source; NULL if it is
+ * neither preprocessed C nor C++. */
 static const char *other_input(const session *s, const item *one) {
     static const char *const cxx[] = {".C", ".CPP", ".c++", ".cc", ".cp", ".cpp", ".cxx", ".ii"};
     const char *dot = strrchr(path_base(one->text), '.');
@@ -200,8 +201,8 @@ static const char *other_input(const session *s, const item *one) {
     return is_cxx ? "it is C++, which redcc does not translate" : NULL;
 }
 
-/* Adds files that are not translated to the report: C sources that the command forbids to
- * translate, preprocessed C, and C++. */
+/* Adds to the report the files that are not translated: C sources if the command forbids
+ * translating them (`obstacle`), preprocessed C, and C++. */
 static void name_left_alone(session *s, const char *obstacle) {
     for (unsigned i = 0; i < s->command.count; i++) {
         const item *one = &s->command.items[i];
@@ -234,8 +235,9 @@ static void warn_of_missing_runtime(session *s) {
     }
 }
 
-/* Prints the compiler's own --help or --version, and then this program's: tools that identify the
- * compiler read only the first lines. In the launcher form only the compiler's is printed. */
+/* Prints the compiler's own --help or --version, and then this program's. The compiler's comes
+ * first, because tools that identify the compiler read only the first lines. In the launcher form
+ * nothing is printed here, so only the compiler's text appears. */
 static void introduce(session *s) {
     const bool is_version = s->given.count == 1 && strcmp(s->given.items[0], "--version") == 0;
     const bool is_help = s->given.count == 1 && strcmp(s->given.items[0], "--help") == 0;

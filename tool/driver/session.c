@@ -10,8 +10,8 @@
 #include "driver/files.h"
 #include "driver/temporary.h"
 
-/* Longer command lines go through a response file. Linux accepts 2 MiB at the default stack limit,
- * including the environment. */
+/* Greatest length of a command line; a longer one is passed in a response file. Linux accepts 2
+ * MiB, including the environment, at the default stack limit. */
 enum { COMMAND_BYTES_MAX = 512 * 1024 };
 
 void session_read_options(session *s) {

@@ -45,8 +45,8 @@ const char *session_liberty(const session *s);
 /** Returns OPTION_LIBERTY if session_liberty names an option, else 0. */
 unsigned session_liberties(const session *s);
 
-/** Prints a command and returns 0 under --redcc-show; else runs it (process_run). A command line
- *  too long for the system goes through a response file. */
+/** Runs a command (process_run) or, under --redcc-show, prints it and returns 0. A command line
+ *  that is too long for the system is passed in a response file. */
 int session_run(session *s, const word_list *words, process_streams streams);
 
 /** Prints one line on standard error, "redcc-cc: warning: ...". */
@@ -68,12 +68,13 @@ void session_pass_by(session *s, const char *file, const char *why);
 void session_leave_alone(session *s, const char *file, const char *why);
 
 /** Removes the temporaries and ends the process with `status`, a result of process_run, or by a
- * signal that was caught. On success, names the sources whose translated text did not compile or
- * did not link. */
+ * signal that was caught. If `status` is 0, first warns of the sources whose translated text did
+ * not compile or did not link. */
 _Noreturn void session_end(session *s, int status);
 
-/** Removes the temporaries and replaces this process by the compiler, with the given arguments;
- *  runs it as a child if work remains after it. With --redcc-report the process ends here. */
+/** Removes the temporaries and replaces this process by the compiler, with the given arguments. If
+ *  standard input has already been read, or messages follow, the compiler runs as a child instead,
+ *  and session_end ends this process. With --redcc-report this process ends without compiling. */
 _Noreturn void session_become_compiler(session *s);
 
 /** Adds the compiler and its arguments as they were given. */

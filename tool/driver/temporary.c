@@ -35,7 +35,7 @@ static bool is_named_as_ours(const char *name) {
 }
 
 /* Is the open folder abandoned: owned by this user, not young, and unlocked? On a file system
- * without locks it counts as in use. */
+ * without locks the answer is false. If true, this process now holds the folder's lock. */
 static bool is_left_behind(int folder) {
     struct stat about;
     return fstat(folder, &about) == 0 && about.st_uid == geteuid() &&

@@ -39,9 +39,9 @@ static bool wants_remarks(const session *s) {
     return false;
 }
 
-/* May the translator use functions of other files? Not with link-time optimisation: the linker may
- * inline such a function into one form of a loop and contract it there. The function's record
- * describes only how its own object was compiled. */
+/* May the translator use functions of other files? False with link-time optimisation: the linker
+ * may inline such a function into one form of a loop, and contract its operations there. The
+ * function's record describes only how the function's own object was compiled. */
 static bool sees_project(const session *s) {
     for (unsigned i = 0; i < s->command.count; i++)
         if (strncmp(s->command.items[i].text, "-flto", 5) == 0)
@@ -152,9 +152,9 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* The result of `search` in the source and its headers, or NULL if it finds nothing. The result is
- * cached with them, because searching again would take longer than all other work for a cached
- * translation. */
+/* Returns the result of `search` in the source and its headers, or NULL if it finds nothing. The
+ * result is cached together with the source, because searching again would take longer than all
+ * other work for a cached translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {
     word_list words = {0};
@@ -190,8 +190,9 @@ bool translation_assembles_file(session *s, const translation *t) {
     return kept_answer_of(s, t, "a file for the assembler", assembled_file) != NULL;
 }
 
-/* A header that the compiler may read in precompiled form, or NULL if there is none. Such a form is
- * valid only for the options it was made with: gcc 12 crashes if OpenMP was off then. */
+/* Returns the precompiled form of a header that the compiler may read instead of the header; NULL
+ * if there is none. Such a form is valid only with the options with which it was made: gcc 12
+ * crashes if OpenMP was disabled then. */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
     for (unsigned i = 0; i < t->read.count; i++)
@@ -203,9 +204,9 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Must the source itself be compiled, with options such as -Ofast, although it was translated? Yes
- * if the translation has no parallel loops, but only records of its functions: these would describe
- * functions compiled without the options. */
+/* Must the source itself be compiled, with options such as -Ofast, although it was translated? True
+ * if the translation has no parallel loops, but only records of its functions: the records would
+ * describe functions that were compiled without these options. */
 static bool keeps_liberty(session *s, const translation *t) {
     const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
     return text && !strstr(text, "REDCC_OVER(redcc__");
@@ -231,8 +232,8 @@ static const char *obstacle(session *s, translation *t) {
     return kept_answer_of(s, t, "a word that forbids it", sensitive_word);
 }
 
-/* The macros that the compiler predefines when it compiles the translated text, in a file; NULL if
- * it does not list them. */
+/* Writes the macros that the compiler predefines for the translated text to a file. Returns the
+ * file's path, or NULL if the compiler does not list them. */
 static const char *list_predefined(session *s, const translation *t) {
     arena *a = s->memory;
     const char *list = temporary(s, t, "predefined");
@@ -259,8 +260,8 @@ static const char *compiler_asked_for(session *s, const translation *t) {
 }
 
 /* If the source tests properties of the compiler, translates it again with the compiler's own
- * macros, since the first translation used clang's. Returns the reason if that fails; NULL if it
- * succeeds or is not needed. */
+ * macros, since the first translation used clang's. Returns NULL if that succeeds or is not needed,
+ * and otherwise the reason why it fails. */
 static const char *translate_for_compiler(session *s, translation *t) {
     const char *asked =
         s->show ? NULL : kept_answer_of(s, t, "the compiler it asks for", compiler_asked_for);
@@ -272,8 +273,8 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it tests which compiler this is (%s)", asked);
 }
 
-/* Shows the output of the user's own --report. The translator writes one kind of report in a run:
- * if it has written the build's report, it runs once more. */
+/* Shows the output of the user's own --report. The translator writes one kind of report in a run.
+ * If it has written the build's report, it therefore runs once more. */
 static void show_remarks(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
     if (t->report) {
@@ -333,9 +334,10 @@ translation translate(session *s, const item *source, unsigned number) {
     return t;
 }
 
-/* The folder searched first for an #include "x.h" of the source. Headers found there must get the
- * names that they have next to the source: src/x.h for src/. For the current folder clang says
- * ./x.h and gcc x.h, which no spelling of the folder gives: a prefix map changes ././x.h to it. */
+/* Returns the folder that is searched first for an #include "x.h" of the source. Headers found
+ * there must get the names that they have next to the source, such as src/x.h for src/. In the
+ * current folder clang names a header ./x.h, and gcc names it x.h. No spelling of the folder makes
+ * gcc write x.h, so a prefix map changes ././x.h to x.h. */
 static const char *quote_folder(session *s, const translation *t) {
     const char *folder = path_folder(s->memory, t->source->text);
     if (*folder)
@@ -354,7 +356,8 @@ void translation_add_before(session *s, word_list *list, const translation *t) {
     words_add(s->memory, list, path_folder(s->memory, t->text));
 }
 
-/* The path as the user's own prefix maps change it; of several that match, the last applies. */
+/* Returns the path as the user's own prefix maps change it. If several maps match, the last one
+ * applies. */
 static const char *mapped(session *s, const char *path) {
     const char *spelling = path;
     for (unsigned i = 0; i < s->command.count; i++) {
@@ -412,8 +415,8 @@ bool translation_read_same(session *s, const translation *t) {
                                            t->is_input ? t->source->text : t->text);
 }
 
-/* The path of the text that $REDCC_KEEP=DIR keeps: DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c,
- * DIR/home/me/x.c for /home/me/x.c. */
+/* Returns the path under which $REDCC_KEEP=DIR keeps the text: DIR/src/x.c for src/x.c, DIR/up/x.c
+ * for ../x.c, and DIR/home/me/x.c for /home/me/x.c. */
 static const char *kept_path(session *s, const char *folder, const translation *t) {
     const char *path = t->is_input ? "stdin.c" : t->source->text;
     buffer kept = {0};

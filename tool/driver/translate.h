@@ -17,15 +17,16 @@ typedef struct translation {
     bool is_input;          /**< the source is standard input */
 } translation;
 
-/** Translates `source`, the command's C input number `number`. Sets text only if redcc changed
- * the source and the result may be compiled in its place. */
+/** Translates `source`, the command's C input number `number`. Sets the result's `text` only if
+ * redcc changed the source and the text may be compiled in the source's place. */
 translation translate(session *s, const item *source, unsigned number);
 
-/** Adds the options that the translated text needs, before and after the user's own. */
+/** Add the options that the translated text needs: translation_add_before those before the user's
+ *  own options, translation_add_after those after them. */
 void translation_add_before(session *s, word_list *list, const translation *t);
 void translation_add_after(session *s, word_list *list, const translation *t);
 
-/** Returns whether inline assembler in the source or a header may have the assembler read a
+/** Returns whether inline assembler in the source or a header may make the assembler read a
  * file. */
 bool translation_assembles_file(session *s, const translation *t);
 
@@ -34,8 +35,9 @@ bool translation_assembles_file(session *s, const translation *t);
 bool translation_read_same(session *s, const translation *t);
 
 /** Appends the translation's report to the build's report, if the text was used or there is no
- * text, and keeps the text ($REDCC_KEEP). `used`: the text was used; otherwise `messages`, a file
- * of compiler messages, is kept as the reason. */
+ * text. If $REDCC_KEEP is set, keeps a copy of the text. `used`: the text was used. `messages`: a
+ * file with the compiler's messages about a text that was not used, which is kept beside the copy;
+ * or NULL. */
 void translation_keep(session *s, const translation *t, bool used, const char *messages);
 
 #endif

@@ -28,8 +28,8 @@ char **words_argv(arena *a, const word_list *list) {
     return argv;
 }
 
-/* Reads one word that begins at `text`; returns its end. Between single quotes, a backslash is
- * literal only in a shell (is_shell). */
+/* Reads one word that begins at `text`, and returns its end. A backslash quotes the next character.
+ * In a shell (is_shell), it does not do so between single quotes. */
 static const char *read_word(const char *text, bool is_shell, buffer *word) {
     char quote = 0;
     for (; *text && (quote || !isspace((unsigned char)*text)); text++) {

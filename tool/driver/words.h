@@ -22,9 +22,9 @@ char **words_argv(arena *a, const word_list *list);
  *  as in a shell. */
 void words_split(arena *a, const char *text, word_list *list);
 
-/** Adds `count` words, each @FILE replaced by the file's words. As in gcc, a backslash quotes the
- * next character even in single quotes, and an @FILE that cannot be read is kept. Returns whether
- * any was replaced. */
+/** Adds `count` words, but replaces each word @FILE by the words in the file. As in gcc, a
+ * backslash quotes the next character even in single quotes, and @FILE is added unchanged if the
+ * file cannot be read. Returns whether any word was replaced. */
 bool words_expand(arena *a, unsigned count, char *const *given, word_list *list);
 
 /** Writes the words to `path` as a response file. Returns false on failure. */

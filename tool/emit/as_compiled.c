@@ -57,18 +57,18 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
 
 /* ---- the conditions -------------------------------------------------------------------------- */
 
-/** Copies the line ends in bytes [begin, end) except for the first, which `out`
- *  contains already. */
+/** Copies the line ends in bytes [begin, end), except for the first one, which `out` already
+ *  contains. */
 static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32_t end) {
     const char *at = memchr(text + begin, '\n', end - begin);
     for (at = at ? at + 1 : text + end; at < text + end; at++)
         buffer_text(out, *at == '\n' ? "\n" : "");
 }
 
-/** Copies a directive so that it keeps its line number, since its condition may use __LINE__,
+/** Copies a directive so that it keeps its line number, because its condition may use __LINE__,
  * perhaps through a macro. An #if gets a #line directive. Later directives of its group cannot get
- * one, because in a skipped branch a #line has no effect. They get the line ends since `before`,
- * the directive copied last. */
+ * a #line, which has no effect in a skipped branch. Instead, the line ends between `before`, the
+ * directive copied last, and this one are copied. */
 static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
                            const ir_directive *before) {
     const char *text = loop->whole->source->text;
@@ -97,10 +97,10 @@ bool has_branches(const loop_text *loop) {
     return false;
 }
 
-/** Copies from each group of conditional directives (#if to #endif) those up to the branch that
- * this compilation takes, without the #endif. The copied groups are therefore nested. The
- * definition of redcc__as_compiled, in the innermost one, is reached only if all conditions
- * evaluate as in this compilation. */
+/** Copies some directives of each group of conditional directives (#if to #endif): those up to the
+ * branch that this compilation takes, without the #endif. The copied groups are therefore nested.
+ * The innermost one contains the definition of redcc__as_compiled. It is reached only if all
+ * conditions have the same values as in this compilation. */
 void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;

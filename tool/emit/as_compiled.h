@@ -17,15 +17,15 @@
  */
 const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis);
 
-/** begin_as_compiled writes the text before a parallel form. It defines redcc__as_compiled if a
- * compilation takes the same branches as this one and agrees with it on whether OpenMP is enabled.
- * end_as_compiled writes the text after the form, which undefines the macro. Both write nothing
- * unless has_branches. */
+/** begin_as_compiled writes the text before a parallel form. This text defines redcc__as_compiled
+ * if a compilation takes the same branches as this one, and also enables OpenMP if and only if
+ * this one does. end_as_compiled writes the text after the form, which undefines the macro. Both
+ * write nothing unless has_branches is true. */
 void begin_as_compiled(loop_text *loop, buffer *out);
 void end_as_compiled(const loop_text *loop, buffer *out);
 
 /** Is there a conditional directive between the function's beginning and the loop's end, or does
- * the loop depend on whether OpenMP is on? */
+ * the loop's translation depend on whether OpenMP is enabled? */
 bool has_branches(const loop_text *loop);
 
 #endif

@@ -13,8 +13,8 @@ void write_counts(loop_text *loop, writer *out, int most);
 /** Writes the names that write_counts declares, each after a comma, for a `shared` clause. */
 void write_shared(const loop_text *loop, buffer *out);
 
-/** If variables are `lastprivate`, writes a condition before the directive and its loop: if there
- * are no iterations, only the counters are assigned. */
+/** If variables are `lastprivate`, writes a condition before the directive and its loop. If there
+ * are no iterations, the counters are assigned and the loop is not reached. */
 void write_if_any(loop_text *loop, writer *out, bool is_of_team);
 
 /** Writes, for each counter, its first value in a block, and the bound with which the block's

@@ -129,8 +129,8 @@ static void write_directive(loop_text *loop, writer *out) {
     buffer_text(&out->out, ")\n");
 }
 
-/** Writes the loop over blocks: a block's private variables, and the header of the loop over its
- * iterations. */
+/** Writes the beginning of the loop over blocks: a block's private variables, and the header of the
+ * inner loop over the block's iterations. */
 static void write_block(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");

@@ -49,8 +49,8 @@ static const char *loaded_type(const ir_type *type) {
     }
 }
 
-/** The name of the variable that contains the node's value, read before the loop; writes the read
- * if it is new. */
+/** Returns the name of the variable that holds the node's value, which is read before the loop. If
+ * there is no such variable yet, writes the read. */
 static const char *load_text(bounds_text *self, const ir_node *node) {
     arena *a = self->loop->arena;
     for (unsigned i = 0; i < self->loads.count; i++)

@@ -6,7 +6,8 @@
 #include "emit/base/loop.h"
 
 /** Declares redcc__lower, redcc__bound, redcc__trip and, if needed, redcc__final (trip.c). Returns
- *  conditions for entering the parallel form. `site`: the name of the loop's redcc_site. */
+ *  the conditions under which the parallel form may be entered. `site`: the name of the loop's
+ *  redcc_site. */
 const char *write_trip_count(loop_text *loop, writer *out, const char *site);
 
 /** Writes the static objects that describe the loop (describe.c). */
@@ -15,9 +16,10 @@ void write_description(loop_text *loop, writer *out);
 /** Writes the statements that set the key of one execution. */
 void fill_key(loop_text *loop, writer *out);
 
-/** Extents (address ranges) of sources that are known before the inspection; the generated text
- * stores them in redcc__known (extents.c). An affine extent reaches from the first iteration's row
- * to the last one's. */
+/** Extents (address ranges) of sources that are known before the inspection. An affine extent
+ * reaches from the first iteration's row to the last one's. has_affine_extents tells whether there
+ * are any of these. declare_extents declares redcc__known, in which fill_extents writes the
+ * extents (extents.c). */
 bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
@@ -27,8 +29,8 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
 /** Does the generated text read memory before the loop that the program might not read? Such reads
  * use loads that cannot fault. */
 bool reads_by_system(const loop_text *loop);
-/** The condition that all extents are known, for entering the parallel form, or NULL if they are
- * always known. */
+/** Returns the condition that all extents are known, without which the parallel form must not be
+ * entered; NULL if they are always known. */
 const char *extents_condition(const loop_text *loop);
 
 #endif

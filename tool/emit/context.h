@@ -15,13 +15,14 @@ void for_each_extra(loop_text *loop, const char *text,
 
 /** The name of a pointer to the variable. */
 const char *pointer_name(loop_text *loop, const ir_variable *variable);
-/** The argument and the parameter by which a function gets the variable; for an array, a pointer to
- *  its first element. */
+/** passed_argument returns the argument, and passed_declaration the parameter, by which a function
+ *  gets the variable. For an array this is a pointer to its first element. */
 const char *passed_argument(loop_text *loop, const ir_variable *variable);
 const char *passed_declaration(loop_text *loop, const ir_variable *variable);
 
-/** write_context writes the struct's type, before the function; fill_context its initialisation,
- * before the call; take_context the declarations of each thread's variables. */
+/** write_context writes the struct's type, before the function. fill_context writes its
+ * initialisation, before the call. take_context writes the declarations of each thread's
+ * variables. */
 void write_context(loop_text *loop, writer *out);
 void fill_context(loop_text *loop, writer *out);
 void take_context(loop_text *loop, writer *out);

@@ -101,9 +101,9 @@ static bool is_own_element(const logged_source *item) {
     return item->is_scalar && item->fact->extent == EXTENT_AFFINE;
 }
 
-/** The number that identifies the base of an own element. Several own elements of an iteration with
- * one base are disjoint, so the guard need not compare them. Returns "" if the source is not an own
- * element. */
+/** Returns the flag with the number that identifies the base of an own element. Own elements of an
+ * iteration that have the same base are disjoint, so the guard need not compare them. Returns ""
+ * if the source is not an own element. */
 static const char *base_text(loop_text *loop, unsigned number) {
     const logged_source *all = loop->plan->sources;
     for (unsigned i = 0; is_own_element(&all[number]) && i < loop->plan->source_count; i++)
@@ -180,8 +180,9 @@ static bool skips_inner_iterations(const loop_plan *plan) {
     return false;
 }
 
-/** May the runtime execute the first iterations in order and time them? Not with tiles, which the
- * runtime tries without a sample, nor with sections, which give the results of another order. */
+/** May the runtime execute the first iterations in order and time them? False for a loop with
+ * tiles, because the runtime tries tiles without a sample. False with sections, because these give
+ * the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call &&
            !loop->plan->execution.sections;

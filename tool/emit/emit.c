@@ -87,7 +87,7 @@ static bool is_around(const ir_unit *unit, const ir_function *function, const ir
     return tag->offset < loop.begin;
 }
 
-/** A type that the loop's text names but that is not declared at the loop, or NULL if there is
+/** Returns a type that the loop's text names but that is not declared at the loop; NULL if there is
  * none. */
 static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
                                    const written_loop *loop) {
@@ -121,7 +121,7 @@ static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32
         const ir_function *function = unit->functions[i];
         const uint32_t end = function->body ? function->body->range.end : function->range.end;
         if (!function->body && names_function(unit, declared))
-            continue; /* g of `int f(void), g(void);` */
+            continue; /* this is g in `int f(void), g(void);` */
         if (function->is_in_main_file && function->declared != declared &&
             declared->offset >= function->range.begin && declared->offset < end)
             return false;
@@ -147,8 +147,8 @@ static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
            is_known_at(unit, declared, piece->replaced.begin);
 }
 
-/** Is each name in a copy of the user's bytes declared in the piece that contains the copy, or
- * above it? */
+/** Is each name in a copy of the user's bytes declared above the piece that contains the copy, or
+ * in that piece? */
 static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const origin *copy) {
     const uint32_t end = copy->from + (copy->end - copy->begin);
     for (unsigned i = 0; i < unit->reference_count; i++) {
@@ -236,8 +236,8 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** Adds, directly before each function with a loop for which is_unfused is set, the text that turns
- * contraction off in it. */
+/** For each function with a loop for which is_unfused is set, adds, directly before the function,
+ * the text that turns contraction off in it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;
@@ -356,8 +356,8 @@ static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfus
     return are_written;
 }
 
-/** May a loop of the file have lanes, according to the plans? Sets f->lanes[]: LANES_WRITTEN, or
- * the plan's reason against lanes. */
+/** May a loop of the file have lanes, according to the plans? Sets f->lanes[] for each verdict:
+ * LANES_WRITTEN, or the plan's reason for no lanes. */
 static bool may_have_lanes(const file_text *f) {
     bool may = false;
     for (unsigned i = 0; i < f->analysis->verdict_count; i++) {

@@ -36,11 +36,11 @@ typedef struct emit_result {
     size_t length;
     unsigned loop_count;       /* number of pieces of all written loops */
     const written_loop *loops; /* the pieces, in the order of their positions */
-    /* The reason, for each verdict, why the loop cannot be written: message and range are set, the
+    /* For each verdict, the reason why the loop cannot be written. Message and range are set; the
      * id is not. Such a loop is left unchanged. The message is NULL if the loop can be written. */
     const reason *obstacles;
-    /* The result, for each verdict, of writing a form for several iterations at once.
-     * LANES_NOT_ASKED: none was requested. */
+    /* For each verdict, whether a form for several iterations at once was written, or why not.
+     * LANES_NOT_ASKED: no such form was requested. */
     const lanes_outcome *lanes;
 } emit_result;
 

@@ -15,8 +15,8 @@ bool has_affine_extents(const loop_text *loop) {
     return false;
 }
 
-/** Is there an affine extent that is computed without checks, or (is_checked) any extent with
- * checks? */
+/** If is_checked is false: is there an affine extent that is computed without checks? If true: is
+ * there any extent that is computed with checks? */
 static bool has_extents(const loop_text *loop, bool is_checked) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
         if ((is_checked && loop->plan->sources[i].fact->extent == EXTENT_BOUNDED) ||
@@ -66,8 +66,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
             /* A plan that later executions reuse stores ranges relative to `first`, which may move
-             * between executions. Without a base they are relative to the site, which never
-             * moves. */
+             * between executions. The range of a source without a base is stored relative to the
+             * site, which never moves. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
@@ -109,8 +109,8 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, with a check that it is a value of the node's type. If the check fails at run time,
- * the extents are unknown. */
+/** Returns the number, with a check that the node's type can represent it. If the check fails at
+ * run time, the extents are unknown. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))

@@ -172,8 +172,8 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
     return false;
 }
 
-/** Writes a slice that logs only the reads, for executions that append records: it does not compute
- * the subscripts of updates. Returns its call, or NULL if no such slice is written. */
+/** Writes a slice that logs only the reads, without computing the subscripts of updates. It is for
+ * executions that append records. Returns the call of this slice, or NULL if none is written. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;
@@ -327,8 +327,8 @@ static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "}");
 }
 
-/** Writes all text before the function. Slice and body are written first, because they determine
- * which declarations must precede them. */
+/** Writes all text before the function. Slice and body are written to a buffer first, because they
+ * determine which declarations must precede them. */
 static void write_parts(loop_text *loop, writer *out) {
     writer parts = {0}, last = {0};
     write_slice(loop, &parts);

@@ -91,8 +91,8 @@ static void hide(loop_text *loop, writer *out, const ir_variable *variable, bool
                 has_value ? variable->name : "");
 }
 
-/* Opens blocks whose variables hide the threads' private variables and the counter, so that these
- * have their old values after the loop. Returns the number of blocks. */
+/* Opens blocks whose variables hide the threads' private variables and the counter. The hidden
+ * variables then have their old values after the loop. Returns the number of blocks. */
 static unsigned hide_privates(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const openmp_loop *openmp = facts->variables.openmp;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Storage, shared by a team, for the partial results of the blocks of an `omp for`
- * (emit/blocks.c). It is in the frame of the function that contains the parallel region. If that is
- * impossible, it is in the frame of one thread, which gives the others its address; that takes two
- * more barriers. The thread that completes the last block combines the results. */
+ * (emit/blocks.c). The storage is in the frame of the function that contains the parallel region.
+ * If that is impossible, it is in the frame of one thread, which gives its address to the other
+ * threads; that takes two more barriers. The thread that completes the last block combines the
+ * results. */
 #ifndef EMIT_TEAM_PARTS_H
 #define EMIT_TEAM_PARTS_H
 

@@ -22,8 +22,8 @@ enum {
     WIDE_SIZE = 8 /* redcc_int */
 };
 
-/** If adding a step could overflow, the loop runs sequentially when lower or bound is greater than
- * this in absolute value. */
+/** If adding a step could overflow, the loop runs sequentially when the absolute value of lower or
+ * bound is greater than this. */
 static const char limit[] = "((redcc_int)1 << 61)";
 
 typedef struct integer_type {
@@ -97,7 +97,7 @@ typedef struct header {
     bool compares_wide; /* the comparison is in 64 bits */
     bool ascends;
     bool inclusive;
-    const char *stride;    /* step| as text, or NULL if it is 1 */
+    const char *stride;    /* |step| as text, or NULL if it is 1 */
     bool lower_is_natural; /* lower is a constant >= 0 */
     bool ends_at_bound;    /* the counter's value after the loop is the bound itself */
 } header;
@@ -158,8 +158,9 @@ static const char *comparison_text(const header *h) {
     return h->inclusive ? "redcc__lower >= redcc__bound" : "redcc__lower > redcc__bound";
 }
 
-/** The trip count, if the loop iterates: (high - low) / stride + 1, with high - low - 1 if the
- * bound is exclusive. */
+/** Returns the trip count of a loop that iterates: span / stride + 1 if the bound is inclusive,
+ * otherwise (span - 1) / stride + 1. `span` is the distance from lower to bound. If h->stride is
+ * NULL, the stride is 1. */
 static const char *count_text(arena *a, const header *h) {
     const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
     if (!h->stride)
@@ -203,8 +204,8 @@ static const char *users_bound_text(loop_text *loop, const header *h) {
                         h->compares_wide ? "redcc_word" : "redcc_u32", text);
 }
 
-/* The value with which the counter is compared: for `counter + ahead < bound` it is bound - ahead.
- * If the difference wraps around, it is beyond the limit. */
+/* Returns the value with which the counter is compared: for `counter + ahead < bound`, this is
+ * bound - ahead. If the subtraction wraps around, the result exceeds `limit`. */
 static const char *bound_text(loop_text *loop, const header *h) {
     const char *text = users_bound_text(loop, h);
     return h->counted->ahead == 0 ? text

@@ -34,8 +34,8 @@ static void write_execution(loop_text *loop, writer *out) {
     write_distributed_stores(loop, out);
 }
 
-/** Writes the parallel execution, inside the `if` under which the loop is known to iterate:
- * elsewhere its expressions may be invalid. */
+/** Writes the parallel execution, inside the `if` in which the loop is known to iterate. Elsewhere
+ * the expressions that it evaluates may be invalid. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
@@ -73,8 +73,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     apply_operands(loop, out);
 }
 
-/** Writes the assignments of live-out variables, in the branch next to the sequential form, so that
- * compilers see them assigned on every path. */
+/** Writes the assignments of live-out variables, in the branch that is the alternative to the
+ * sequential form, so that compilers see the variables assigned on every path. */
 static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
@@ -137,8 +137,8 @@ static void open_block(loop_text *loop, writer *out) {
     write_no_lanes(loop, out);
 }
 
-/** Declares pointers that are loaded before the loop. Returns the condition, " && ...", that loads
- *  them one after the other and ends at the first that is not readable. */
+/** Declares pointers that are loaded before the loop. Returns a condition, " && ...", that loads
+ *  the pointers one after the other and becomes false at the first one that is not readable. */
 static const char *write_loads(loop_text *loop, writer *out) {
     const loop_loads *loads = loop->facts->variables.loads;
     const char *site = outlined_name(loop, "site"), *all = "";

@@ -11,16 +11,17 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** The forms of a loop: with a body for several iterations at once; for bins; with neither. Each is
- *  tried if the preceding one is not possible. */
+/** The forms in which a loop may be written, in the order in which they are tried: with a function
+ *  for several iterations at once (lanes); for in-order binning; with neither of these. */
 typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT } loop_form;
 
-/** Writes the block that replaces the loop, and the text before its function; sets *form to the
- * form used. Returns false, with the obstacle in *why, if the loop cannot be written. Requires
- * arena, whole, unit, facts, plan, options, is_unfused and lanes.outcome of the loop_text. */
+/** Writes the block that replaces the loop, and the text before its function. Sets *form to the
+ * form used. Returns false, with the obstacle in *why, if the loop cannot be written. These fields
+ * of `loop` must be set: arena, whole, unit, facts, plan, options, is_unfused and lanes.outcome. */
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 
-/** The #if under which the loop may run in parallel. It follows the text of begin_as_compiled. */
+/** Returns the #if under which the loop may run in parallel. In the output it follows the text of
+ *  begin_as_compiled. */
 const char *loop_condition(const loop_text *loop);
 
 #endif

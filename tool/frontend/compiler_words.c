@@ -43,8 +43,8 @@ static const char *word_in(converter *c, file_text file) {
     return text_has(file, threads) ? threads : NULL;
 }
 
-/* The first name in the file that is an operator of #if (__has_include and the like), or a clang
- * macro that the real compiler does not define. NULL if there is none. */
+/* Returns the first name in the file that is an operator of #if (__has_include and the like), or a
+ * clang macro that the user's compiler does not define. NULL if there is none. */
 static const char *parsers_word_in(converter *c, file_text file) {
     const char *at = file.text, *end = file.text + file.length;
     while (at != NULL && at < end) {
@@ -65,9 +65,9 @@ static bool may_have_arguments(const char *at, const char *end) {
     return at < end && (*at == '(' || *at == '\\' || *at == '/');
 }
 
-/* May the file use the attribute optimize? gcc then compiles a function with other options than the
- * file, which clang's tree does not show. `#pragma GCC optimize` is not counted here, because it is
- * parsed separately. */
+/* May the file use the attribute optimize? With it gcc compiles a function with other options than
+ * the file's, and clang's tree does not show this. `#pragma GCC optimize` does not count here,
+ * because it is parsed separately. */
 static bool names_optimize(file_text file) {
     static const char word[] = "optimize", pragma[] = "GCC";
     const char *at = file.text, *const end = file.text + file.length;
@@ -102,8 +102,8 @@ static bool names_target(file_text file) {
     return false;
 }
 
-/* Does a condition (#if) contain `true` or `false`? In C23 they have values; older compilers treat
- * them as undefined macros. */
+/* Does a condition (#if) contain `true` or `false`? In C23 these words have values, but older
+ * compilers treat them as undefined macros. Returns false for other standards than C23. */
 static bool tests_true_or_false(converter *c, CXFile file) {
     if (!c->compiler.flags->is_c23)
         return false;
@@ -117,7 +117,7 @@ static bool tests_true_or_false(converter *c, CXFile file) {
 }
 
 /* A predefined macro that expands to a new number at each use, so a copy of the text would expand
- * to other numbers. System headers are searched too, because their macros may use it. */
+ * to other numbers. System headers are searched too, because their macros may use __COUNTER__. */
 static const char counter[] = "__COUNTER__";
 
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {

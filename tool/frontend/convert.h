@@ -75,8 +75,8 @@ typedef struct converter {
     CXFile main_file;
     struct converted converted;
     struct expansions expansions;
-    bool has_begun; /* the visit of macro definitions has reached the main file. Until then,
-                     * macros are defined before it begins */
+    bool has_begun; /* the visit of macro definitions has reached the main file. Macros visited
+                     * earlier are defined before the main file begins */
     struct compiler_facts compiler;
     struct reference_table *references;
     bool has_assembler;           /* the file has `asm` outside of functions, which may define
@@ -123,8 +123,9 @@ file_directives directives_of_file(converter *c, CXFile file);
 /** Does the header belong to the compiler or the C library? A library's header in a folder given by
  *  -isystem or the like counts as the program's own, unless it is in /usr outside of /usr/local. */
 bool is_of_system(converter *c, CXFile file);
-/** The text from the location's token (possibly in a macro's body or a header) to the end of its
- *  file. The length is 0 if no file has the token (pasted tokens, the command line). */
+/** Returns the text from the location's token (possibly in a macro's body or a header) to the end
+ *  of the file that contains it. The length is 0 if no file contains the token: it is pasted, or
+ *  comes from the command line. */
 file_text text_at(converter *c, CXSourceLocation location);
 /** The cursor's source text, copied to the arena; NULL if macros are involved. */
 const char *plain_text(converter *c, CXCursor cursor);
@@ -223,8 +224,8 @@ bool enter_level(converter *c, CXCursor cursor, ir_node **result);
 
 ir_node *convert_expression(converter *c, CXCursor cursor);
 ir_node *convert_statement(converter *c, CXCursor cursor);
-/** Converts an expression; or a statement, which may occur in a for's header or a statement
- *  expression. */
+/** Converts an expression, or a statement in a place where either may occur: a for's header or a
+ *  statement expression. */
 ir_node *convert_any(converter *c, CXCursor cursor);
 ir_node *convert_literal(converter *c, CXCursor cursor);
 /** Makes a literal such as 1e6 an integer if it is compared with an integer. */
@@ -241,9 +242,9 @@ ir_node *convert_braces(converter *c, CXCursor cursor);
 
 /* ---- finishing ----------------------------------------------------------------------------- */
 
-/** Clears IR_FROM_MACRO in each statement that ends in a macro's expansion (or, except for loops,
- *  begins with one) if the whole expansion belongs to the statement. Then no other node shares
- *  these bytes. */
+/** Clears IR_FROM_MACRO in statements that end (or, except for loops, begin) in a macro's
+ *  expansion. It does so only if no other node shares the bytes of this expansion, because the
+ *  whole expansion belongs to the statement. */
 void find_own_bytes(converter *c, ir_node *body);
 
 /** Orders and numbers functions and variables, finishes bodies, and sets address_taken. */

@@ -32,8 +32,8 @@ static ir_storage storage_of(CXCursor declaration) {
     return clang_getCursorLinkage(declaration) == CXLinkage_Internal ? IR_STATIC : IR_GLOBAL;
 }
 
-/* The type in the definition, if there is one. It has an array's length, which other declarations
- * may omit. */
+/* Returns the type in the variable's definition, if there is one. That type has an array's length,
+ * which other declarations may omit. */
 static CXType type_of_variable(CXCursor declaration) {
     CXCursor definition = clang_getCursorDefinition(declaration);
     return clang_getCursorType(clang_Cursor_isNull(definition) ? declaration : definition);

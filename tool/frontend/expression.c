@@ -36,8 +36,8 @@ static const ir_type *type_of(converter *c, CXCursor cursor) {
     return convert_type(c, clang_getCursorType(cursor));
 }
 
-/* May an expression of this kind have array type? Only one that names or reaches an object can; see
- * decayed(). */
+/* May an expression of this kind have array type? Only expressions that name or reach an object
+ * may; see decayed(). */
 static bool may_be_array(ir_kind kind) {
     return kind == IR_VARIABLE || kind == IR_INDEX || kind == IR_MEMBER || kind == IR_UNARY ||
            kind == IR_INITIALIZERS;
@@ -260,8 +260,8 @@ static ir_node *convert_subscript(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* The record's own field that is `wanted`, or else its anonymous member that contains `wanted`.
- * NULL if there is neither. */
+/* Returns the record's field `wanted` if it is the record's own. Otherwise returns the record's
+ * anonymous member that contains `wanted`; NULL if there is none. */
 static const ir_field *field_containing(const ir_record *record, const ir_field *wanted) {
     for (unsigned i = 0; i < record->field_count; i++) {
         const ir_field *field = &record->fields[i];
@@ -282,7 +282,7 @@ static ir_node *member_node(converter *c, CXCursor cursor, ir_node *object, cons
 }
 
 /* Converts a member access. clang omits the anonymous members between the object and the named
- * member; here each becomes a separate node. */
+ * member. Here each of them becomes a separate node. */
 static ir_node *convert_member(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXCursor declaration = clang_getCursorReferenced(cursor);
@@ -336,9 +336,9 @@ static ir_node *convert_call(converter *c, CXCursor cursor) {
 
 /* ---- casts, literals ----------------------------------------------------------------------- */
 
-/* Converts a cast. Its operand is the last part. The parts before it are expressions in the type:
- * lengths, as in double (*)[n], which the cast evaluates, and others (in a typeof, for instance),
- * which it does not. */
+/* Converts a cast. Its operand is the last part. The parts before it are expressions in the type.
+ * Some of these are lengths, as in double (*)[n], which the cast evaluates. Others, such as the
+ * operand of a typeof, are not evaluated. */
 static ir_node *convert_cast(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 0 || (parts.count > 1 && has_variable_length(type_of(c, cursor))))
@@ -388,10 +388,10 @@ ir_node *convert_braces(converter *c, CXCursor cursor) {
 }
 
 /* Converts a generic selection to the chosen expression. clang does not show which association it
- * chose: it is the one whose type is the type of the whole, if only one is. The first part is
- * normally the controlling expression, which is not evaluated. If a type replaces it (clang's
- * extension, C2y), the first part is an association too. A choice of the first part therefore
- * becomes opaque. */
+ * chose. It is the association whose type is the type of the whole, if there is only one. The first
+ * part is normally the controlling expression, which is not evaluated. If a type replaces that
+ * expression (clang's extension, C2y), the first part is an association instead. A choice of the
+ * first part therefore becomes opaque. */
 static ir_node *convert_generic(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXType type = clang_getCanonicalType(clang_getCursorType(cursor));
@@ -413,8 +413,9 @@ static bool has_same_extent(converter *c, CXCursor a, CXCursor b) {
     return clang_equalRanges(extent_of(c, a), extent_of(c, b)) != 0;
 }
 
-/* Converts an unexposed expression. An implicit conversion has one part with the same extent. All
- * others become opaque: `a ?: b`, va_arg, offsetof, atomic builtins and so on. */
+/* Converts an unexposed expression. An implicit conversion has one part, with the same extent, to
+ * which it is converted. All other unexposed expressions become opaque: `a ?: b`, va_arg, offsetof,
+ * atomic builtins and so on. */
 static ir_node *convert_unexposed(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 1 && has_same_extent(c, cursor, parts.items[0]))

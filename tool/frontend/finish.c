@@ -98,8 +98,8 @@ static void order_functions(converter *c) {
         unit->functions[i]->id = i;
 }
 
-/* Marks functions that another definition may replace: the program may define a symbol that a
- * shared object exports. */
+/* Marks functions that another definition may replace: a program may define a symbol that a shared
+ * object exports too. */
 static void mark_interposable(converter *c) {
     const parse_flags *chosen = c->compiler.flags;
     for (unsigned i = 0; i < c->unit->function_count; i++) {

@@ -56,8 +56,8 @@ const char *newest_folder(size_t count, char *const *paths) {
     return newest;
 }
 
-/* The folder of gcc's own headers: the one found when redcc was built, else the folder of the
- * newest version. */
+/* Returns the folder of gcc's own headers: the one found when redcc was built or, if that does not
+ * exist, the folder of the newest version. NULL if there is none. */
 static const char *gcc_include_folder(arena *a) {
     if (is_folder(REDCC_GCC_INCLUDE))
         return REDCC_GCC_INCLUDE;
@@ -74,8 +74,8 @@ static void add(arena *a, parse_flags *chosen, const char *flag) {
     VECTOR_PUSH(a, &chosen->items, flag);
 }
 
-/* Adds flags so that the parser is not stopped by old C, which gcc only warns about, or by clang's
- * limits (bracket depth, number of errors). */
+/* Adds flags that keep the parser from rejecting old C, of which gcc only warns, and from stopping
+ * at clang's limits (bracket depth, number of errors). */
 static void add_leniency(arena *a, parse_flags *chosen) {
     static const char *const flags[] = {
         "-xc",
@@ -166,8 +166,8 @@ static bool names_c23(const char *standard) {
            strstr(standard, ":202");
 }
 
-/* Does the list name a sanitizer that may check arithmetic? That is any except those below, which
- * check memory or threads. */
+/* Does the list name a sanitizer that may check arithmetic? The sanitizers in of_memory[] check
+ * only memory or threads; any other counts. */
 static bool reports_arithmetic(const char *list) {
     static const char *const of_memory[] = {"address",          "leak",   "thread",
                                             "hwaddress",        "memory", "pointer-compare",
@@ -184,8 +184,8 @@ static bool reports_arithmetic(const char *list) {
     return false;
 }
 
-/* Notes options of the language. If they contradict each other, the last one counts; -fsanitize=
- * options add up. */
+/* Notes options of the language. If options contradict each other, the last one counts. All
+ * -fsanitize= options count. */
 static void note_language(parse_flags *chosen, const char *flag) {
     if (strcmp(flag, "-fno-strict-aliasing") == 0)
         chosen->strict_aliasing = false;
@@ -223,8 +223,8 @@ static void note_code(parse_flags *chosen, const char *flag) {
         chosen->math_errno = true;
 }
 
-/* Notes the folder of `-isystem FOLDER` or `-isystemFOLDER`, and of -idirafter likewise. `next` is
- * the next word, or NULL. */
+/* Notes the folder of `-isystem FOLDER` or `-isystemFOLDER`, and that of -idirafter in the same
+ * forms. `next` is the next word, or NULL. */
 static void note_folder(arena *a, parse_flags *chosen, const char *flag, const char *next) {
     static const char *const names[] = {"-isystem", "-idirafter"};
     for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {

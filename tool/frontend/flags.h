@@ -47,10 +47,10 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);
  *  machine flag of the user's compiler, and then parses nothing. */
 void remove_machine_flags(parse_flags *flags);
 
-/** Adds the folder of gcc's own headers, for those that clang lacks (omp.h). Call it only after a
- *  header was not found. The folder comes last in the search, because clang's headers may include
- *  gcc's of the same name, such as stdatomic.h, which clang cannot read. Returns false if there is
- *  no such folder. */
+/** Adds the folder of gcc's own headers, for headers that clang lacks (omp.h). Call it only after a
+ *  header was not found. The folder is searched last, because clang cannot read some of gcc's
+ *  headers that also exist in clang's folder, such as stdatomic.h. Returns false if there is no
+ *  such folder. */
 bool add_gcc_headers(arena *a, parse_flags *flags);
 
 #endif

@@ -10,8 +10,8 @@ static bool is_floating(const ir_type *type) {
            (type->kind == IR_FLOATING || type->kind == IR_COMPLEX || type->kind == IR_OTHER_TYPE);
 }
 
-/* The type of the node's value. A declarator has its variable's type, to which it converts the
- * initialiser without a separate node. */
+/* Returns the type of the node's value. For a declarator, this is the variable's type, because the
+ * declarator converts its initialiser without a separate node. */
 static const ir_type *type_made(const ir_node *node) {
     return node->kind == IR_DECLARATOR ? node->variable->type : node->type;
 }

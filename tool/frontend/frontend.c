@@ -114,8 +114,9 @@ static bool is_assembler(CXCursor cursor) {
     return is_found;
 }
 
-/* Converts the functions that the main file defines, and those in headers that is_wanted_of_header
- * selects. Any other function is converted when a converted one uses it. */
+/* Converts the functions that the main file defines, and the functions of headers that
+ * is_wanted_of_header selects. Any other function is converted when a converted function uses
+ * it. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
@@ -174,9 +175,9 @@ static bool computes_with_effect(CXCursor declaration) {
     return is_found;
 }
 
-/* Puts opaque statements before those of the body for the lengths in the parameters' types, as in
- * `double (*a)[m++]`: they are evaluated when the function is entered (C17 6.9.1p10). Lengths that
- * have no effect are omitted. */
+/* Puts opaque statements before those of the body, for the lengths in the parameters' types, as in
+ * `double (*a)[m++]`. C evaluates these lengths when the function is entered (C17 6.9.1p10).
+ * Lengths that have no effect are omitted. */
 static void put_lengths_first(converter *c, CXCursor definition, ir_node *body) {
     const int count = clang_Cursor_getNumArguments(definition);
     for (int i = count - 1; i >= 0; i--) {
@@ -294,8 +295,9 @@ static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char
     return clang;
 }
 
-/* Does the text contain the attribute may_alias? libclang does not show it in a cast or typeof. The
- * attribute has no arguments, so the name before a parenthesis belongs to a function. */
+/* Does the text contain the attribute may_alias? libclang does not show this attribute in a cast or
+ * typeof. The attribute has no arguments, so a name `may_alias` before a parenthesis is a
+ * function's. */
 static bool names_may_alias(const char *text) {
     static const char word[] = "may_alias";
     for (const char *at = strstr(text, word); at != NULL; at = strstr(at + 1, word))

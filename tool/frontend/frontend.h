@@ -22,19 +22,20 @@ typedef struct frontend_result {
 } frontend_result;
 
 /** The folder in which the parser searches for its own headers, and the folder of gcc's headers,
- *  which it searches if its own do not suffice. The strings are in the arena; NULL if there is no
- *  such folder. */
+ *  which the parser searches if a header is in no other folder. The strings are in the arena; NULL
+ *  if there is no such folder. */
 typedef struct frontend_folders {
     const char *own;
     const char *of_gcc;
 } frontend_folders;
 frontend_folders frontend_header_folders(arena *a);
 
-/** Parses `src` with the flags of a gcc or clang command line; flags that libclang must not see are
- *  removed. All results are allocated in the arena.
+/** Parses `src` with the flags of a gcc or clang command line; flags that libclang must not get are
+ *  removed first. All results are allocated in the arena.
  *
  *  Functions of the main file get bodies. A function of a header gets one if a converted function
- *  uses it; or, in the program's own headers, if it may have a loop and may be called.
+ *  uses it. A function of the program's own headers also gets one if it may have a loop and may be
+ *  called.
  *
  *  If the compiler reports an error inside a function, its has_errors is set, and nothing in it may
  *  be analysed: ill-formed statements are missing from libclang's tree. */

@@ -17,8 +17,8 @@ static CXFile own_header_at(converter *c, CXSourceLocation location, ir_position
     return file;
 }
 
-/* May the function contain a loop, going by the keywords in its text? A loop that comes from a
- * macro is missed. */
+/* May the function contain a loop, judging by the keywords in its text? A loop that a macro
+ * produces is not found. */
 static bool may_loop(converter *c, CXCursor definition) {
     CXSourceRange extent = clang_getCursorExtent(definition);
     CXFile begins, ends;

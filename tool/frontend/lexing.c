@@ -47,8 +47,8 @@ static bool is_blank_splice(const char *backslash, const char *end) {
     return at > backslash + 1 && at < end && (*at == '\n' || *at == '\r');
 }
 
-/* Which construct the splice may divide, judging by the word before it: _Pragma, or a raw string if
- * the word is a prefix of one. NULL if neither. */
+/* Returns the construct that the splice may divide, judging by the word before the splice: _Pragma,
+ * or a raw string if the word is a prefix of one. NULL if it is neither. */
 static const char *split_word(const char *text, const char *splice) {
     static const char *const prefixes[] = {"R", "L", "LR", "u", "uR", "U", "UR", "u8", "u8R"};
     const char *word = word_before(text, splice);
@@ -67,9 +67,9 @@ static char byte_behind(const char *splice, const char *end) {
     return splice < end ? *splice : 0;
 }
 
-/* Does the byte end a block comment, according to a scan from the beginning of the text? False also
- * if a digit separator (a quote between digits) precedes it: then a scanner may take code for a
- * character constant, or the reverse. */
+/* Does the byte end a block comment, according to a scan from the beginning of the text? The answer
+ * is also false if a digit separator (a quote between digits) precedes the byte, because a scanner
+ * may then take code for a character constant, or the reverse. */
 static bool ends_comment(const char *text, const char *last) {
     const char *at = text, *begin = text;
     while (at <= last) {

@@ -12,7 +12,7 @@
 /* ---- values -------------------------------------------------------------------------------- */
 
 /* Evaluates an expression by clang_Cursor_Evaluate. The expression must be scalar, because libclang
- * crashes on others. */
+ * crashes on other expressions. */
 static bool evaluate_integer(CXCursor cursor, int64_t *value) {
     CXEvalResult result = clang_Cursor_Evaluate(cursor);
     if (result == NULL)
@@ -47,8 +47,8 @@ static bool is_number_byte(const char *p, char before) {
     return isalnum((unsigned char)*p) || *p == '.' || *p == '_';
 }
 
-/* Reads a preprocessing number (C17 6.4.8) without its line splices; NULL if there is none. After
- * the "e" of a hexadecimal number no sign follows, because there "e" is a digit. */
+/* Reads a preprocessing number (C17 6.4.8) without its line splices. NULL if there is none. In a
+ * hexadecimal number a sign after "e" is not part of the number, because "e" is a digit there. */
 static const char *number_text(converter *c, file_text at) {
     char text[256];
     size_t length = 0;
@@ -137,7 +137,7 @@ static ir_node *convert_floating(converter *c, CXCursor cursor) {
 }
 
 /* Stores the floating literal's value as an integer. Returns false if the value is no integer, or
- * so large that its type cannot represent all neighbouring integers. */
+ * is so large that the literal's type cannot represent all neighbouring integers. */
 static bool whole_value(const ir_node *literal, int64_t *value) {
     const ir_type *type = literal->type;
     if (literal->kind != IR_NUMBER || type->kind != IR_FLOATING || type->size > 8)
@@ -185,8 +185,8 @@ static ir_node *convert_character(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* Separates adjacent question marks by a backslash, because with a third byte some compilers read a
- * trigraph. */
+/* Separates adjacent question marks by a backslash, because some compilers would read them, with
+ * the next byte, as a trigraph. */
 static const char *without_trigraphs(converter *c, const char *literal) {
     if (strstr(literal, "??") == NULL)
         return literal;
@@ -205,8 +205,8 @@ static ir_node *convert_string(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* Converts a literal such as 1.0iF, which complex.h uses to define I. It is a GNU extension, so it
- * is marked by __extension__. */
+/* Converts a literal such as 1.0iF, which complex.h uses to define I. Such a literal is a GNU
+ * extension, so __extension__ is written before it. */
 static ir_node *convert_imaginary(converter *c, CXCursor cursor) {
     file_text at = text_at(c, clang_getCursorLocation(cursor));
     const char *literal = number_text(c, at);
@@ -232,8 +232,8 @@ ir_node *convert_literal(converter *c, CXCursor cursor) {
     }
 }
 
-/* Converts sizeof. In a function with errors it is not evaluated, because libclang may crash on
- * ill-formed code. */
+/* Converts sizeof. In a function with errors the operator is not evaluated, because libclang may
+ * crash on ill-formed code. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor) {
     const ir_type *type = convert_type(c, clang_getCursorType(cursor));
     int64_t value;

@@ -23,9 +23,9 @@ static unsigned end_of_expansion(const converter *c, uint32_t begin) {
     return (unsigned)(uintptr_t)map_get(c->expansions.ends, &begin, sizeof begin);
 }
 
-/* The location of a token, or of the macro expansion that produced it. clang places all tokens of
- * an expansion at the expansion's beginning. Once all expansions are known, a location elsewhere in
- * the main file is therefore no macro's. */
+/* Returns the location of a token, or of the macro expansion that produced it. clang places all
+ * tokens of an expansion at the expansion's beginning. So, once all expansions are known, a token
+ * at another place in the main file comes from no macro. */
 static place place_of(const converter *c, CXSourceLocation location) {
     place p = {0};
     CXFile spelled;
@@ -102,8 +102,8 @@ void note_expansion(converter *c, CXCursor expansion) {
 
 /* ---- ranges -------------------------------------------------------------------------------- */
 
-/* Corrects the end of a range whose last token comes from a macro. If the token is a macro's
- * argument, clang gives a place in the argument; if it is in the macro's body, clang gives the end
+/* Corrects the end of a range whose last token comes from a macro. If the token is in a macro's
+ * argument, clang gives a place in the argument. If it is in the macro's body, clang gives the end
  * of the expansion. */
 static void find_end(const converter *c, place *end) {
     uint32_t offset = end->offset;

@@ -45,9 +45,9 @@ static void note(map *macros, const char *name, size_t length, bool is_function_
         *known = is_function_like ? IR_MACRO_AS_FUNCTION : IR_MACRO_AS_OBJECT;
 }
 
-/* May the macro expand to its own name? Looking up its definition is the most expensive step here.
- * Headers define thousands of macros in capitals, and few of them expand to themselves. Macros in
- * capitals outside of the main file are therefore assumed not to. */
+/* May the macro expand to its own name? Looking up the macro's definition is the most expensive
+ * step here. Headers define thousands of macros in capitals, and few of them expand to themselves.
+ * So the answer for macros in capitals outside of the main file is always false. */
 static bool may_expand_to_itself(CXSourceLocation location, const char *name) {
     for (const char *p = name; *p; p++)
         if (islower((unsigned char)*p))
@@ -64,8 +64,9 @@ static bool is_built_in(CXSourceLocation location) {
     return is_own;
 }
 
-/* Does the compiler predefine the macro? If so, the program's text may use it. A macro that clang
- * predefines and the compiler does not is added to parsers_own. */
+/* Is the macro predefined, by the user's compiler or by clang, and so not the program's own? Also
+ * adds to parsers_own each macro that clang predefines but the user's compiler does not. That is
+ * known only if flags->predefined is set. */
 static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
                                size_t length) {
     const bool is_predefined = c->compiler.flags->predefined != NULL &&

@@ -21,8 +21,8 @@ static bool is_query(CXCursor declaration) {
            clang_getCursorLinkage(declaration) == CXLinkage_External;
 }
 
-/* Notes tags and enumerators inside a record's declaration, which belong to the scope around it
- * (C17 6.2.1p7). */
+/* Notes tags and enumerators that are declared inside a record. They belong to the scope around the
+ * record (C17 6.2.1p7). */
 static enum CXChildVisitResult visit_member(CXCursor member, CXCursor parent, CXClientData data) {
     (void)parent;
     const enum CXCursorKind kind = clang_getCursorKind(member);

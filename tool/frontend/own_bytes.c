@@ -35,9 +35,9 @@ static bool follows_parenthesis(const converter *c, const ir_node *node) {
     return at > 0 && text[at - 1] == ')';
 }
 
-/* Does the statement of a block own its bytes? It must share none with the braces or another
- * statement. A loop that begins in a macro does not own them, because the macro may put a pragma
- * before it. */
+/* Does the statement of a block own its bytes? It must share no byte with the braces or with
+ * another statement. A loop that begins in a macro does not own its bytes, because the macro may
+ * put a pragma before the loop. */
 static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsigned index) {
     const ir_node *statement = block->children[index];
     bool is_strictly_inside = is_inside(statement->range, block->range) &&

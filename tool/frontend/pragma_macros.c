@@ -25,16 +25,16 @@ typedef struct search {
     VECTOR(definition) all;
 } search;
 
-/* The first universal character name (\\u or \\U) outside of comments; NULL if there is none. If
- * the file has a digit separator (a quote between digits), comments cannot be recognised reliably,
- * so they are searched too. */
+/* Returns the first universal character name (\\u or \\U) outside of comments; NULL if there is
+ * none. If the file has a digit separator (a quote between digits) or the bytes below, comments
+ * cannot be recognised reliably, so they are searched too. */
 static const char *universal_name_in(file_text file) {
     static const char *const marks[] = {"\\u", "\\U"};
     const char *at = file.text, *const end = file.text + file.length;
     if (!text_has(file, marks[0]) && !text_has(file, marks[1]))
         return NULL;
-    /* C89 has no // comments, so the bytes "slash, star, slash" may end a comment there although a
-     * scanner of newer C sees its beginning */
+    /* C89 has no // comments, so the bytes "slash, star, slash" may end a comment in C89, although
+     * a scanner of newer C takes them for its beginning */
     const bool sees_comments =
         !lexing_has_digit_separator(file.text, file.length) && !text_has(file, "/*/");
     while (at < end) {

@@ -5,14 +5,15 @@
 
 #include "support/source.h"
 
-/* Other macros that only clang defines stay defined, because clang's own headers need them. A
- * program that names one of these is not analysed (compiler_words.c). */
+/* Removes the names that identify clang. Other macros that only clang defines stay defined, because
+ * clang's own headers need them. A program that names one of these macros is not analysed
+ * (compiler_words.c). */
 static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};
 static const char *const types_of_gcc[] = {FLAGS_OF_GCC_TYPES};
 static const char *const without_features[] = {FLAGS_WITHOUT_FEATURES};
 
-/* Operators of #if. They stay defined, because clang's headers use them without testing whether
- * they exist. */
+/* Operators of #if. Although gcc may not have them, they stay defined, because clang's headers use
+ * them without testing whether they exist. */
 static const char *const operators[] = {
     "__building_module",
     "__has_attribute",

@@ -5,8 +5,8 @@
 
 #include "frontend/flags.h"
 
-/** Flags (items of an array) with which clang imitates gcc. These remove the names that identify
- *  clang. */
+/** Flags, as items of an array, that remove the names that identify clang, so that clang imitates
+ *  gcc. */
 #define FLAGS_WITHOUT_CLANG                                                                        \
     "-U__clang__", "-U__clang_major__", "-U__clang_minor__", "-U__clang_patchlevel__",             \
         "-U__clang_version__", "-U__llvm__"
@@ -22,8 +22,8 @@
  *  flags->unseen. */
 void add_predefined(arena *a, parse_flags *flags, const char *path);
 
-/** Removes from flags->predefined the macro that a user's flag redefines: `-DNAME=1` or `-UNAME`,
- *  with or without the -D or -U. */
+/** Removes the macro that a user's flag redefines from flags->predefined. `definition`: the flag
+ *  -DNAME=1 or -UNAME, with or without the -D or -U. */
 void forget_predefined(parse_flags *flags, const char *definition);
 
 /** Is the text an operator by which #if tests the compiler's features, such as `__has_builtin`? */

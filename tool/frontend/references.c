@@ -37,8 +37,8 @@ const char *name_of_file(converter *c, CXFile file) {
     return *known;
 }
 
-/* The structure, union or enumeration that a typedef names, perhaps through pointers and arrays.
- * NULL if there is none. */
+/* Returns the structure, union or enumeration for which a typedef is a name, perhaps through
+ * pointers and arrays. NULL if there is none. */
 static const ir_declared *tag_of(converter *c, CXCursor declaration) {
     if (clang_getCursorKind(declaration) != CXCursor_TypedefDecl)
         return NULL;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Finds names that begin like the runtime's in the program, its headers and its options. The output
- * includes the runtime's header, whose macros could change the meaning of the program's conditions
- * or other text. Branches that are not compiled and the strings of _Pragma are searched too. */
+/* Searches the program, its headers and its options for names that begin with redcc_ or REDCC_,
+ * like the runtime's. The output includes the runtime's header, whose macros could change what such
+ * a name means, for example in an #if. Branches that are not compiled and the strings of _Pragma
+ * are searched too. */
 #include <string.h>
 
 #include "frontend/convert.h"

@@ -8,8 +8,8 @@ static unsigned offset_of(CXSourceLocation location) {
     return offset;
 }
 
-/* Sets is_skipped. Each of clang's ranges begins in the directive whose condition is false, and
- * ends in the directive that ends the branch. */
+/* Sets is_skipped of the file's directives. Each of clang's ranges begins in the directive whose
+ * condition is false, and ends in the directive that ends the branch. */
 void mark_skipped_directives(converter *c) {
     CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
     if (ranges == NULL)

@@ -38,8 +38,8 @@ static void add_parts(converter *c, ir_node *node, ir_node *block) {
     block->children[block->child_count++] = part;
 }
 
-/* Makes the statement `a += e, b -= e;` a block { a += e; b -= e; }. All its parts have the range
- * of the whole statement, which can only be replaced as a whole. */
+/* Turns the statement `a += e, b -= e;` into a block { a += e; b -= e; }. All parts of the block
+ * have the range of the statement, which can only be replaced as a whole. */
 static ir_node *sequence(converter *c, ir_node *statement) {
     ir_node *all = statement->children[0];
     ir_node *block = ir_new(c->arena, IR_BLOCK, NULL, count_parts(all));
@@ -88,9 +88,9 @@ static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
     return CXChildVisit_Continue;
 }
 
-/* Creates an opaque node for effects of a declarator that are not its initialisation: evaluating
- * the lengths in its type, or calling a function at the end of its scope. The written initialiser,
- * if any, is a child. */
+/* Creates an opaque node for effects of a declarator that are not its initialisation: the lengths
+ * in its type are evaluated, or a function is called at the end of its scope. The written
+ * initialiser, if any, is a child of the node. */
 static ir_node *opaque_initialiser(converter *c, CXCursor declaration, const char *what) {
     const ir_type *type = convert_type(c, clang_getCursorType(declaration));
     return convert_opaque(c, declaration, type, what);
@@ -222,8 +222,8 @@ static for_header scan_header(const char *text, size_t length) {
     return header;
 }
 
-/* Stores the offset of `part` relative to the beginning of the for. Returns false if the part is in
- * another file or before the for. */
+/* Stores in *place the offset of `part` from the beginning of the for. Returns false if the part is
+ * in another file or before the for. */
 static bool place_in_for(CXCursor loop, CXCursor part, size_t *place) {
     CXFile loop_file, part_file;
     unsigned loop_offset, part_offset;

@@ -9,8 +9,8 @@ bool is_nameless(const char *spelling) {
     return strstr(spelling, "(unnamed") != NULL || strstr(spelling, "(anonymous") != NULL;
 }
 
-/* clang's spelling; NULL if it is empty or contains the name that clang invents for an unnamed
- * type. */
+/* Returns clang's spelling of the type. NULL if it is empty, or contains a name that clang has
+ * invented for an unnamed type. */
 static const char *clang_spelling(converter *c, CXType type) {
     const char *text = take_string(c, clang_getTypeSpelling(type));
     return text[0] == 0 || is_nameless(text) ? NULL : text;
@@ -113,8 +113,8 @@ static const ir_type *bottom(const ir_type *type) {
     return type;
 }
 
-/* Adds qualifiers to the pointer: "int (*)(int)" becomes "int (*const)(int)". NULL if the spelling
- * has another form. */
+/* Adds qualifiers to a pointer to a function: "int (*)(int)" becomes "int (*const)(int)". NULL if
+ * the spelling has another form. */
 static const char *qualified_function_pointer(converter *c, const ir_type *type,
                                               const char *spelling) {
     const char *star = strstr(spelling, "(*");

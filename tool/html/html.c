@@ -30,8 +30,8 @@ static bool is_page(const char *name) {
            strcmp(name + length - 5, ".html") == 0;
 }
 
-/* Removes all entries of the folder or, without `removes`, returns the name of an entry that is no
- * page, in the arena, or NULL if there is none. */
+/* If `removes`, removes all entries of the folder and returns NULL. Otherwise returns, in the
+ * arena, the name of an entry that is no page; NULL if there is none. */
 static const char *visit_entries(arena *a, const char *folder, bool removes) {
     const char *stranger = NULL;
     DIR *entries = opendir(folder);

@@ -6,11 +6,11 @@
 #include "html/reports.h"
 #include "support/buffer.h"
 
-/** The file name of a source's page, in the arena, or NULL if the source has no loops, and so no
+/** The file name of a source's page, in the arena. NULL if the source has no loops: then it has no
  * page. */
 const char *page_name(const reports *r, const report_file *file);
 
-/** Append the beginning and the end that all pages have. */
+/** page_begin appends the beginning that all pages have, page_end their end. */
 void page_begin(buffer *out, const char *title);
 void page_end(buffer *out);
 

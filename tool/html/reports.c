@@ -106,8 +106,8 @@ static json_int_t most_threads(const json_t *loops) {
     return most == 1 && !one ? 2 : most;
 }
 
-/* The time of a loop beyond its sequential time divided by the number of threads. For parallel
- * calls without a measured gain, only the time of inspections counts. */
+/* Returns the time of a loop beyond its sequential time divided by the number of threads. If no
+ * gain was measured, only the time of inspections counts for the parallel calls. */
 static double seconds_lost(const json_t *run, json_int_t threads) {
     const double sequential = number_of(run, "sequential_seconds");
     const double inspecting = number_of(run, "inspect_seconds");
@@ -147,8 +147,9 @@ static report_loop *stranger(reports *r, const json_t *run) {
     return loop;
 }
 
-/* Adds the times of a run. Its report names no folder: if two files of the build have the same
- * name, loops at the same position in them cannot be distinguished, and each gets the times. */
+/* Adds the times of a run. The run's report names no folder. If two files of the build have the
+ * same name, loops at the same position in them cannot be distinguished, so each of these loops
+ * gets the times. */
 static bool add_run(reports *r, const json_t *object) {
     const json_t *loops = json_object_get(object, "loops"), *run;
     const double process = number_of(object, "seconds");
@@ -173,8 +174,8 @@ static bool add_run(reports *r, const json_t *object) {
 
 /* ---- files ----------------------------------------------------------------------------------- */
 
-/* The objects that a pass over the files reads: those of builds, or those of runs, which name a
- * process. */
+/* The objects that a pass over the files reads: those of builds (BUILDS), or those of runs (RUNS),
+ * which name a process. */
 typedef enum pass { BUILDS, RUNS } pass;
 
 static const char *add_objects(reports *r, const char *path, const char *text, pass wanted) {

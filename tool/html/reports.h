@@ -51,12 +51,12 @@ typedef struct reports {
     VECTOR(json_t *) owned; /**< JSON objects to which the other members point */
 } reports;
 
-/** Reads the files; each is a build's or a run's report, as its first object says. Returns NULL, or
- *  a message in the arena, with file and line. */
+/** Reads the files. The first object in each shows whether it is a build's or a run's report.
+ *  Returns NULL, or a message in the arena, with file and line. */
 const char *reports_read(reports *r, unsigned count, char *const *paths);
 void reports_free(reports *r);
 
-/** The text of a member; "" if the object lacks it, or it is no text. */
+/** Returns the text of a member; "" if the object has no such member, or the member is not text. */
 const char *json_word(const json_t *object, const char *name);
 bool loop_is_parallel(const report_loop *loop);
 

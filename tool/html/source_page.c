@@ -52,8 +52,8 @@ static void add_list(buffer *out, const json_t *list, const char *name) {
     buffer_text(out, "</td></tr>\n");
 }
 
-/* Appends how many calls of the last run were sequential and why, and what the run's report
- * advises. */
+/* Appends how many calls of the last run were sequential and for which reasons, and the advice of
+ * the run's report. */
 static void add_fallbacks(buffer *out, const json_t *run) {
     const json_t *list = json_object_get(run, "fallbacks"), *one;
     const char *advice = json_word(run, "why_sequential");

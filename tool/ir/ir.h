@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The intermediate representation (IR): one translation unit as trees of one node type.
  *
- *  The frontend builds it in one arena. Later stages read it. They also add bodies of functions
- *  from other files, remove dead branches, and replace parts of a loop while they analyse it.
+ *  The frontend builds the IR in one arena. Later stages read it. They also add bodies of functions
+ *  from other files, remove dead branches, and replace parts of a loop while they analyse that
+ *  loop.
  *
  *  The trees represent the source, without implicit conversions (the nodes' types show them) and
  *  without parentheses (the printer restores those that are needed). Typedefs are resolved.
@@ -295,10 +296,10 @@ typedef enum ir_operator {
 enum {
     IR_ARROW = 1,
     IR_DESIGNATED = 2,
-    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body or a macro's argument, so
-                        * its bytes cannot be edited. Not set on a statement that contains the
-                        * whole expansion at its end (or, except for loops, at its beginning):
-                        * that statement may be replaced as a whole */
+    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body or a macro's argument, so its
+                        * bytes cannot be edited. Not set on a statement that contains the whole
+                        * expansion at its end (or, except for loops, at its beginning), because the
+                        * statement may then be replaced as a whole */
     IR_HAS_VALUE = 8,  /* `value` is its constant integer value */
     IR_COMPOUND_LITERAL = 16, /* the IR_INITIALIZERS node is a compound literal */
     IR_SEQUENCE = 64,         /* the block is a comma expression used as a statement. Its parts are
@@ -360,8 +361,8 @@ typedef struct ir_dialect {
     bool is_sanitized;    /* a sanitizer is enabled: undefined arithmetic may end the program */
     bool wraps;           /* signed arithmetic wraps around (-fwrapv) */
     bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
-    bool replaces_openmp; /* a loop's OpenMP directives may be dropped: redcc parallelises the loop
-                             itself */
+    bool replaces_openmp; /* a loop's OpenMP directives may be dropped, because redcc parallelises
+                           * the loop itself */
     const char *refusing_option; /* an option that makes the compiled program differ from this
                                   * tree; NULL if there is none */
     const char *inexact_option;  /* an option that lets the bits of floating-point results depend
@@ -455,8 +456,8 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
 bool ir_is_expression(const ir_node *node);
 /** Is it an element, a member or a pointer's target: a[i], s.m, p->m, *p? */
 bool ir_is_access(const ir_node *node);
-/** Is it an access (ir_is_access) whose value is loaded? False for one of array type, which only
- *  computes an address. */
+/** Is it an access (ir_is_access) whose value is loaded? False for an access of array type, which
+ *  only computes an address. */
 bool ir_reads_memory(const ir_node *node);
 /** Is it of the form &operand? */
 bool ir_is_address_of(const ir_node *node);

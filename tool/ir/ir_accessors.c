@@ -26,8 +26,8 @@ static bool is_of_file(const ir_variable *variable) {
            variable->storage == IR_THREAD_LOCAL;
 }
 
-/* Is the variable of file scope or a parameter of `function`? False for a parameter whose row
- * length depends on the function's local variables. */
+/* May the variable occur in the address: is it of file scope, or a parameter of `function`? False
+ * for a parameter whose row length depends on the function's local variables. */
 static bool can_be_named(const ir_variable *variable, const ir_function *function) {
     return is_of_file(variable) ||
            (variable->storage == IR_PARAMETER && variable->function == function &&
@@ -185,8 +185,8 @@ static bool is_sum_of_pointer(const ir_node *node) {
            node->children[0]->type && node->children[1]->type;
 }
 
-/* Converts the number to the width of an address: sums of subscripts could overflow in a narrower
- * type where sums with the pointer do not. */
+/* Converts the number to the width of an address. In a narrower type, a sum of subscripts could
+ * overflow where the sums with the pointer do not. */
 static ir_node *as_long(accessors *a, ir_node *number) {
     if (number->type->kind == IR_INTEGER && number->type->is_signed && number->type->size == 8)
         return number;
@@ -235,7 +235,7 @@ static void become_element(accessors *a, ir_node *node, ir_node *base, ir_node *
 }
 
 /* Rewrites *(p + k) as p[k], and (p + k)->m as p[k].m. Several summands become one subscript,
- * because the analysis handles only this form. */
+ * because the analysis handles only one. */
 static void simplify_sum(accessors *a, ir_node *node) {
     ir_node *sum = node->children[0], *subscript;
     ir_node *base = split_sum(a, sum, &subscript);

@@ -91,8 +91,8 @@ static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth
 
 static const ir_type *adopt_type(adoption *d, const ir_type *type);
 
-/* The unit's own record if it has an equal one; otherwise a copy, which the unit's text cannot
- * name. */
+/* Returns the unit's own record if it has an equal one. Otherwise returns a copy, which the unit's
+ * text cannot name. */
 static const ir_record *adopt_record(adoption *d, const ir_record *record) {
     void **known = map_at(d->records, &record, sizeof record);
     if (*known)

@@ -8,13 +8,13 @@
 /** May this definition of the unit `from` be adopted? */
 typedef bool (*ir_adoptable)(const ir_unit *from, const ir_function *function, void *context);
 
-/** Gives the functions `names`, which `unit` only declares, the bodies that `from` defines. Does
- *  the same for the functions that these bodies call. Returns how many of the names received a
+/** Gives the functions `names`, which `unit` only declares, the bodies that `from` defines. Also
+ *  gives bodies to the functions that these bodies call. Returns how many of the names received a
  *  body.
  *
  *  A declaration must agree with the definition. Identical records of both units become one. Other
- *  declarations that the bodies use are added to the unit. They have no offsets in its text, and
- *  its text cannot name them.
+ *  declarations that the bodies use are added to `unit`. They have no offsets in its text, and its
+ *  text cannot name them.
  *
  *  `from` must be in the same arena, and must not be used afterwards. */
 unsigned ir_adopt(ir_unit *unit, ir_unit *from, unsigned count, const char *const *names,

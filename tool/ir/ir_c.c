@@ -112,8 +112,8 @@ static bool print_between(c_printer *p, const ir_node *node, const char *op, lev
     return print(p, node->children[1], right);
 }
 
-/* Would gcc warn (-Wparentheses) if the inner operand had no parentheses, although C does not need
- * them? */
+/* Would gcc warn (-Wparentheses) about an inner operator without parentheses, although C does not
+ * need them? */
 static bool is_doubtful(level outer, level inner) {
     switch (outer) {
     case LEVEL_OR:
@@ -245,8 +245,8 @@ static bool is_anonymous_member(const ir_node *node) {
     return node->kind == IR_MEMBER && node->field->name[0] == 0;
 }
 
-/* Omits the names of anonymous members: their members count as members of the enclosing record (C17
- * 6.7.2.1 p13). */
+/* Omits the names of anonymous members, because their members count as members of the enclosing
+ * record (C17 6.7.2.1 p13). */
 static bool print_member(c_printer *p, const ir_node *node) {
     if (is_anonymous_member(node))
         return false;

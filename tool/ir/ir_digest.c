@@ -109,9 +109,9 @@ static void add_field(digester *d, const ir_field *field) {
     add_number(d, field->offset);
 }
 
-/* Does not hash strings and the arguments of functions that end the program. A string may contain
- * the file's name as a command gives it, and such an argument may be a line number. Both are
- * irrelevant to the function. */
+/* Does not hash strings, nor arguments of functions that end the program. A string may contain the
+ * file's name as a command gives it, and such an argument may be a line number. Neither matters to
+ * what the function computes. */
 static void add_node(digester *d, const ir_node *node) {
     add_number(d, node->kind);
     if (node->kind == IR_STRING)

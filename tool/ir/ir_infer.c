@@ -128,8 +128,8 @@ static const ir_type *promoted(arena *a, const ir_type *type) {
     return unqualified(a, type);
 }
 
-/* The conversion rank, from kind and size. long long outranks long even if their sizes are equal,
- * because the text form distinguishes the two. */
+/* Returns the conversion rank, computed from kind and size. long long outranks long even if their
+ * sizes are equal, because the text form distinguishes the two types. */
 static int rank(const ir_type *type) {
     int base = type->kind == IR_COMPLEX ? 200 : type->kind == IR_FLOATING ? 100 : 0;
     int is_long_long = type->spelling != NULL && strstr(type->spelling, "long long") != NULL;

@@ -25,8 +25,8 @@ static bool mark_declared(ir_node *node, void *context) {
     return true;
 }
 
-/* For each function id: a NULL-terminated list of the locals without a declarator in the body. They
- * are declared inside an opaque node. */
+/* Returns, for each function id, a NULL-terminated list of the locals that have no declarator in
+ * the function's body because they are declared inside an opaque node. */
 static ir_variable ***undeclared_locals(const ir_printer *p) {
     const ir_unit *unit = p->unit;
     bool *declared = ARENA_ARRAY(p->scratch, bool, unit->variable_count + 1u);
@@ -71,8 +71,8 @@ static void find_records(ir_printer *p, const ir_type *type) {
     }
 }
 
-/* Assigns a number to a variable. A local comes after the file's variable of the same name: if the
- * file has an `x`, a function's `x` has number 2. */
+/* Assigns a number to a variable, unless it has one. Locals are numbered after the file's variable
+ * of the same name: if the file has an `x`, a function's first `x` has number 2. */
 static void meet_variable(ir_printer *p, const ir_variable *v) {
     if (p->variable_numbers[v->id] != 0)
         return;

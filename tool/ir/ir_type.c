@@ -108,8 +108,8 @@ static const char *spell_target(arena *a, const ir_type *target, const char *dec
     return arena_format(a, "%s%s%s", target->spelling, blank, declarator);
 }
 
-/* Spells a declaration of `declarator` with this type. With `declarator` empty, the pointer to an
- * array of three doubles is "double (*)[3]". */
+/* Spells a declaration of `declarator` with this type. If `declarator` is empty, spells the type
+ * itself: the pointer to an array of three doubles is "double (*)[3]". */
 static const char *spell(arena *a, const ir_type *type, const char *declarator) {
     if (type->kind == IR_POINTER) {
         bool is_array = type->target->kind == IR_ARRAY;

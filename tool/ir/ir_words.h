@@ -20,9 +20,9 @@ extern const ir_scalar ir_scalars[];
 extern const unsigned ir_scalar_count;
 
 const ir_scalar *ir_scalar_named(const char *word, size_t length);
-/** The scalar type whose spelling is the type's, if kind and signedness agree. Otherwise the first
- *  scalar of the same kind and signedness, preferably also of the same size. NULL if there is
- *  none. */
+/** Returns the scalar type with the same spelling as `type`, if kind and signedness agree too.
+ *  Otherwise returns the first scalar of the same kind and signedness, preferably also of the same
+ *  size; NULL if there is none. */
 const ir_scalar *ir_scalar_of(const ir_type *type);
 /** The type's name in C, such as "unsigned long"; NULL if it matches no scalar. */
 const char *ir_scalar_spelling(const ir_type *type);

@@ -78,10 +78,10 @@ static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     return is_outer || (declared && declared->child_count > 0);
 }
 
-/** Adds an operand to the record, which stores all its operands whenever it is appended.
- * `is_certain`: the update then always evaluates the operand. Otherwise the operand must be a
- * variable with a value, so that reading it is harmless. Returns false if the record cannot store
- * it. */
+/** Adds an operand to the record. The record stores all its operands whenever it is appended.
+ * `is_certain`: the update then always evaluates the operand. If not, the operand must be a
+ * variable that has a value, so that reading it is harmless. Returns false if the record cannot
+ * store the operand. */
 static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
@@ -93,8 +93,8 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     return true;
 }
 
-/** Is the callee fmin, fmax or a variant of the C library? In R = fmin(R, v) one argument is the
- * target. */
+/** Is the callee fmin, fmax or a variant of these in the C library? In R = fmin(R, v) one argument
+ * is the target. */
 static bool is_extremum(const ir_node *callee) {
     return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
            (strncmp(callee->function->name, "fmin", 4) == 0 ||
@@ -164,8 +164,9 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
     record->tag = bins->streams[record->stream].tag_count++;
 }
 
-/** Merges the types of the record's values into its stream's types. A record may use only the first
- * of these types. Returns false if the types differ, or the values are too many. */
+/** Merges the types of the record's values into the types of its stream's values. Records with
+ * fewer values use only the first of these. Returns false if the types differ, or there are too
+ * many values. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);
@@ -266,8 +267,7 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
 }
 
 /** May a read whose address is known only during execution overlap an own element or a scalar in
- * memory? Own elements and scalars are stored after the last round, so the guard may find the
- * overlap too late. */
+ * memory? These are stored after the last round, so the guard may find the overlap too late. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -275,8 +275,9 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? The next execution overwrites the operands of scalars
- * and the values of own elements that an aborted execution has left, but not its series. */
+/** Must the body use only verified values? An execution that is aborted leaves operands of scalars,
+ * values of own elements, and series. The next execution overwrites the former two, but not the
+ * series. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||

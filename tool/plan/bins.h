@@ -66,9 +66,11 @@ typedef struct bins_span {
     const ir_variable *variables[MOST_RECORD_OPERANDS];
 } bins_span;
 
-/** A record that the body appends. It describes one update; or adjacent updates of one row of an
- *  array, or of rows of different arrays at one subscript; or all iterations of an update in a span
- *  or in a nest. In a nest each operand has a value for each iteration. */
+/** A record that the body appends. It describes one of these:
+ *  - one update;
+ *  - adjacent updates of one row of an array, or of rows of different arrays at one subscript;
+ *  - all iterations of an update in a span or in a nest. In a nest each operand has a value for
+ *    each iteration. */
 typedef struct bins_record {
     const bins_nest *nest; /* NULL: none */
     const bins_span *span; /* NULL: none */
@@ -79,7 +81,8 @@ typedef struct bins_record {
     unsigned stream;
     unsigned operand_count;
     const ir_node *operands[MOST_RECORD_OPERANDS];
-    unsigned tag; /* number, within the stream, of the statements that apply the record */
+    unsigned tag; /* number, among the records of the stream, of the statements that apply this
+                   * record */
 } bins_record;
 
 /** The records of an array, or of arrays that are always updated together. */
@@ -103,8 +106,8 @@ typedef struct bins_plan {
     uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute */
     uint32_t varied_sources;  /* subset of guarded_sources: those to which later iterations of a
                                * chunk may add reads */
-    bool is_checked; /* the body must not see unverified values, so the ranges of all reads and
-                      * writes are found and compared before any iteration executes */
+    bool is_checked; /* the body must not use unverified values (unverified.h), so the ranges of all
+                      * reads and writes are found and compared before any iteration executes */
 } bins_plan;
 
 /** Sets plan->bins, or plan->no_bins: the reason why there are none. */
@@ -127,8 +130,9 @@ const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part);
 
-/** The array element or member that holds the pointer by which an update of a scattered array
- * reaches its row, or NULL if it is held elsewhere, or the array is not scattered. */
+/** Returns the array element or member that holds the pointer through which an update of a
+ * scattered array reaches its row. Returns NULL if the array is not scattered, or the pointer is
+ * held elsewhere. */
 const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
 
 /** Does the node name the updated element? If both subscripts contain equal calls, the calls count

@@ -6,7 +6,7 @@
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 
-/** An update and its record. Two updates are equal if they differ only in how they name the element
+/** An update and its record. Two updates are alike if they differ only in how they name the element
  *  and the operands. */
 typedef struct record_update {
     const bins_record *record;

@@ -45,9 +45,9 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
     return has_row && count < MOST_RECORD_UPDATES;
 }
 
-/** The group for the next update; g->count means a new one. An array's updates must keep their
- * order. So groups before the last one that updates the array are excluded; unless `wide`, that one
- * is excluded, too. */
+/** Returns the group for the next update; g->count means a new one. An array's updates must keep
+ * their order, so groups before the last one that updates the array are excluded. Unless `wide`,
+ * that last group is excluded too. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)

@@ -69,7 +69,7 @@ unsigned nest_part_count(const bins_nest *nest) {
 }
 
 /** Does each counter occur once as a subscript of the row's parts, and nowhere else in the
- *  element's address? Then the iterations' elements differ, and all are in one row. */
+ *  element's address? If so, all iterations' elements are different, and are in one row. */
 static bool is_one_row(const loop_facts *facts, const reduction_update *update,
                        const bins_nest *nest) {
     const ir_node *row = outermost_row(facts, update, nest);
@@ -143,8 +143,9 @@ static bool have_equal_parts(const loop_facts *facts, const reduction_update *a,
     return left == left_row && right == right_row;
 }
 
-/** Do updates of one array reach each element in the order of the statements? The records of a
- * nest's updates are appended in that order. */
+/** Does each element still get its updates in the order of the loop, although the records of the
+ * nest's updates are appended statement by statement? It does if the updates of one array reach
+ * the same element only in the same iteration. */
 static bool keeps_order(const loop_facts *facts, const bins_nest *nests, unsigned i) {
     for (unsigned j = 0; nests[i].outermost && j < facts->update_count; j++)
         if (facts->updates[j].array == facts->updates[i].array &&

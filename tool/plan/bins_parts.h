@@ -13,8 +13,8 @@ const bins_nest *nest_at(const bins_plan *bins, unsigned i);
 /** Sets bins->spans. Requires find_nests. */
 void find_bins_spans(const loop_plan *plan, bins_plan *bins);
 
-/** The largest part of the array that contains the element at a constant offset, or at an offset
- *  given by counters of the nest (`nest` may be NULL). */
+/** Returns the largest part of the array in which the updated element is at a constant offset, or
+ *  at an offset that depends only on counters of the nest (`nest` may be NULL). */
 const ir_node *outermost_row(const loop_facts *facts, const reduction_update *update,
                              const bins_nest *nest);
 

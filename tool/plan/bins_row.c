@@ -25,7 +25,7 @@ static bool is_within(const struct nest_level *level, const ir_type *array) {
 }
 
 /** Is the node a part of the array or record in its first child, at an offset that is constant or
- * given by a counter of the nest? Adds a constant offset to *offset. */
+ * determined by a counter of the nest? If the offset is constant, adds it to *offset. */
 static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *offset) {
     const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
     if (!whole || !whole->type || whole->type->size <= 0)
@@ -72,8 +72,8 @@ static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsig
     return false;
 }
 
-/** The size of a row, if it is the same for all updates of the array and not too large, and a row
- *  has several updated elements; otherwise an element's size. */
+/** Returns the size of a row, if a row has several updated elements, and the size is not too large
+ *  and is the same for all updates of the array. Otherwise returns an element's size. */
 static int64_t wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     const int64_t size = element_size(facts, array);
     int64_t bytes = 0;

@@ -101,8 +101,8 @@ static const ir_node *loop_around_only(const ir_node *statement) {
     return parent && parent->kind == IR_FOR && parent->children[3] == statement ? parent : NULL;
 }
 
-/** Does this part of the header set or declare no variable but the counter? The record's values and
- * its first element are computed before the header. */
+/** Does this part of the header set or declare no variable but the counter? This is required
+ * because the record's values and its first element are computed before the header. */
 static bool sets_only(const ir_node *node, const ir_variable *counter) {
     const ir_node *written = expression_written(node);
     if (written && (written->kind != IR_VARIABLE || written->variable != counter))

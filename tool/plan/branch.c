@@ -63,8 +63,8 @@ static bool is_steady(const loop_facts *facts, const ir_node *node) {
     }
 }
 
-/** Can the counter have every value that the bound may have? Otherwise the bound could be beyond
- * all the counter's values, or C would compare a negative counter as a large number. */
+/** Can the counter have every value that the bound may have? If not, the bound could be beyond all
+ * values of the counter, or C would compare a negative counter as a large number. */
 static bool has_values_of(const ir_type *counter, const ir_type *bound) {
     return ir_type_is_plain_integer(bound) &&
            (bound->size < counter->size ||

@@ -5,13 +5,13 @@
 
 #include "plan/plan.h"
 
-/** Does the variable carry no value into the branch of an `if`, nor out of it, within the loop?
- * Then its values in the branch do not depend on the condition. */
+/** Returns true if, within the loop, the variable carries no value into the branch of an `if` and
+ * none out of it. Its values in the branch then do not depend on the condition. */
 bool is_only_of_branch(const loop_facts *facts, const ir_node *branch, const ir_variable *variable);
 
-/** Does the inner loop terminate, even when it is executed where the program would not? True only
- * if its header shows it: the counter approaches a bound that consists of constants and of
- * variables that the outer loop only reads. */
+/** Does the inner loop terminate, even when it is executed where the program would not execute it?
+ * True only if the loop's header shows this: the counter approaches a bound that consists of
+ * constants and of variables that the outer loop only reads. */
 bool ends_in_any_case(const loop_facts *facts, const ir_node *loop);
 
 #endif

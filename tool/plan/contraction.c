@@ -68,8 +68,8 @@ static void collect_operations(reach *r, const ir_node *node) {
         collect_operations(r, node->children[i]);
 }
 
-/** Collects the operations of called functions only, because contraction is forbidden in the loop
- * itself. */
+/** Collects the operations of called functions only. Those of the loop do not matter here, because
+ * contraction is forbidden in the loop itself. */
 static void collect_calls(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);
@@ -91,10 +91,10 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
 
 /* ---- places -------------------------------------------------------------------------------- */
 
-/** May the function get an attribute that forbids contraction? Not if it is declared inline,
- * because gcc does not inline a function into another if only one of them may be contracted. Nor if
- * nothing can be inserted before it, or if it begins with its name (C allows no attribute there) or
- * with a directive. */
+/** May the function get an attribute that forbids contraction? False if it is declared inline,
+ * because gcc does not inline a function into another if only one of them may be contracted. Also
+ * false if nothing can be inserted before it, or if it begins with a directive or with its name,
+ * before which C allows no attribute. */
 static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
     return has_place_in_front(unit, function) &&

@@ -29,8 +29,9 @@ key_form form_of_key(const ir_type *type) {
     }
 }
 
-/** May the runtime keep a plan? In a later execution the bases of the rows read may have moved, so
- * it must be possible to read the bases before the loop. All keys must fit into words. */
+/** May the runtime keep a plan? In a later execution the arrays that are read may have moved, so
+ * the runtime must be able to read their bases before the loop. All values of the key must fit
+ * into words. */
 static bool is_verifiable(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (!facts->slice.is_verifiable)
@@ -46,8 +47,8 @@ static bool is_verifiable(const loop_plan *plan) {
     return true;
 }
 
-/** The number of key words for the stride, and for variables that the slice uses and that are
- *  stepped with the counter. */
+/** Returns the number of key words for the stride, and for stepped variables that the slice
+ *  uses. */
 static unsigned stepped_count(const loop_facts *facts) {
     unsigned count = facts->counted.stride ? 1 : 0;
     for (unsigned i = 0; i < facts->variables.private_count; i++)
@@ -98,8 +99,8 @@ static bool has_search(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** The innermost loop around a statement of the body, except for loops with constant bounds
- * (components of a vector). Returns NULL if there is none. */
+/** Returns the innermost loop around a statement of the body, or NULL if there is none. Loops with
+ * constant bounds, over the components of a vector, do not count. */
 static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
     for (; node != facts->loop; node = node->parent) {
         const ir_variable *counter;
@@ -110,8 +111,8 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Are some updates in inner loops, and does the inspector log each of these loops as a span? Its
- * slice must neither search nor run in a pre-check. */
+/** Are some updates in inner loops, and does the inspector log each of these loops as a span? The
+ * slice must contain no search and no pre-check. */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;

@@ -6,14 +6,14 @@
 
 #include "plan/plan.h"
 
-/** How the value of a key is stored in 64-bit words; KEY_UNFIT: it cannot be stored, so no plan is
- * kept. */
+/** How the value of a key is stored in 64-bit words. KEY_UNFIT: the value cannot be stored, so no
+ * plan is kept. */
 typedef enum key_form { KEY_INTEGER, KEY_POINTER, KEY_BYTES, KEY_UNFIT } key_form;
 key_form form_of_key(const ir_type *type);
 
-/** May the runtime update private copies of the array? Not if other data lie between its elements,
- *  since copies hold adjacent elements; nor if its updates do not commute; nor if a sanitizer would
- *  report overflows of partial sums. */
+/** May the runtime update private copies of the array? False if other data lie between the array's
+ *  elements, because copies hold adjacent elements; if the updates do not commute; or if a
+ *  sanitizer would report overflows of partial sums. */
 bool may_be_copied(const loop_plan *plan, const reduction_array *array);
 
 /** Sets plan->execution. Requires has_ready_base. */

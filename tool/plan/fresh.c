@@ -108,8 +108,8 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
-/** Classifies a few iterations in order, each with its counter's value. Requires that no iteration
- * ends early. */
+/** Classifies a few iterations in order, each with the value that the counter has in it. No
+ * iteration may end early. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
     finding found = FRESH;
@@ -122,8 +122,8 @@ static finding in_iterations(const place *p, const ir_node *node, int64_t first,
     return found;
 }
 
-/** Unless the iterations are known, the body is assumed to assign nothing: it may not be executed
- * at all, and `continue` may leave it anywhere. */
+/** Classifies a `for`. If its iterations are not known, the body is assumed to assign nothing: it
+ * may not be executed at all, and `continue` may leave it anywhere. */
 static finding in_for(const place *p, const ir_node *node) {
     const finding first = find_in(p, node->children[0]);
     if (first != FRESH)

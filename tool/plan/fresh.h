@@ -5,9 +5,9 @@
 
 #include "ir/ir.h"
 
-/** Does, on each path through the statement, an assignment of the variable, or of a part of it,
- * precede each read of that variable or part in the same execution? False if the text does not show
- * it. Requires a statement without labels. */
+/** Returns true if, on each path through the statement, each read of the variable or of a part of
+ * it comes after an assignment of that variable or part in the same execution. Returns false if
+ * the text does not show this. The statement must not contain labels. */
 bool is_fresh_in(const ir_node *statement, const ir_variable *variable);
 
 #endif

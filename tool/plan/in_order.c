@@ -46,7 +46,7 @@ bool has_values_from_before(const loop_facts *facts) {
 }
 
 /** Does an iteration compute values from its number (stepped variables), or does it have results
- * that are stored after all iterations? */
+ * that are stored only after all iterations? */
 static bool counts_iterations(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped ||

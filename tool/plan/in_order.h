@@ -11,9 +11,9 @@
  * it? */
 bool has_values_from_before(const loop_facts *facts);
 
-/** May the body, executed in order, replace the sequential loop from any iteration on, and are the
- *  iterations long? Then the first ones may be executed in order, and timed
- *  (runtime/src/beginning.h). Requires !has_values_from_before. */
+/** Returns true if the iterations are long, and the body, executed in order, may replace the
+ *  sequential loop from any iteration on. The first iterations may then be executed in order, and
+ *  timed (runtime/src/beginning.h). Requires !has_values_from_before. */
 bool may_begin_in_order(const loop_facts *facts);
 
 #endif

@@ -21,8 +21,8 @@ typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the inner loop */
     const ir_node *block; /* the inner loop's body */
-    unsigned rest;        /* index in `block` of the first statement that may be skipped; "the
-                           * rest" is all from there on */
+    unsigned rest;        /* index in `block` of the first statement that may be skipped. "The rest"
+                           * is this statement and all statements after it */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
     bool adds_to_series; /* the rest adds to a series */
@@ -77,7 +77,7 @@ static bool may_be_written_by_call(const inner_rest *t, const ir_node *argument,
 }
 
 /** May the call write anything but variables declared in the rest? The loop's analysis has shown
- *  that it writes only what its arguments point to. */
+ *  that the call writes only the targets of its arguments. */
 static bool may_write(const inner_rest *t, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     for (unsigned i = 1; i < call->child_count; i++) {
@@ -91,8 +91,8 @@ static bool may_write(const inner_rest *t, const ir_node *call) {
     return !callee;
 }
 
-/** Is the node `p op= e` for a variable that is private to the iteration? Adds p to the sums; false
- * if there are too many. */
+/** Is the node `p op= e` for a variable that is private to the iteration? If so, adds p to the
+ * sums. Returns false if it is not, or if there are too many sums. */
 static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable) {
     if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
         return false;
@@ -145,8 +145,8 @@ static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_insid
     return false;
 }
 
-/** The number of floating-point operations and calls outside of updates. Updates have ownership
- *  checks anyway, so that skipping them saves nothing. */
+/** Returns the number of floating-point operations and calls outside of updates. Updates do not
+ *  count, because they have ownership checks anyway, and skipping them saves nothing. */
 static unsigned work_in(const inner_rest *t, const ir_node *node) {
     if (loop_update_at(t->facts, node))
         return 0;
@@ -198,8 +198,8 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
 }
 
 /** Moves the beginning of the rest behind the last statement that sets the variable. Returns false
- * if the variable may have no value there, or if its address is taken, so that it may change before
- * the row is updated. */
+ * if the variable may have no value there, or may change before the row is updated because its
+ * address is taken. */
 static bool begin_after_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -227,8 +227,8 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
     return a->array == b->array && syntax_same(a->row, b->row);
 }
 
-/** The nested loop, in the inner iteration, that steps through the update's rows, or NULL if there
- * is none. */
+/** Returns the nested loop, in the inner iteration, that steps through the update's rows; NULL if
+ * there is none. */
 static const loop_span *span_below(const inner_rest *t, const reduction_update *update) {
     const ir_node *const end = ir_contains(t->inner, update->statement) ? t->inner : NULL;
     for (const ir_node *node = update->statement->parent; end && node != end; node = node->parent) {
@@ -250,16 +250,16 @@ static const ir_node *first_value(const loop_span *span, const ir_variable *vari
     return NULL;
 }
 
-/** Moves the beginning of the rest to where the value is known. Returns false if it is not known,
- * or computing it reads memory or may trap. */
+/** Moves the beginning of the rest to where the value is known. Returns false if the value is not
+ * known, or if computing it reads memory or may trap. */
 static bool begin_after_value(inner_rest *t, const ir_node *value) {
     return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
            begin_after_variables(t, value);
 }
 
 /** Moves the beginning of the rest to where the variable has the value from which the nested loop
- * steps it. Returns false if it may have no value or change later, or the nested loop is not a
- * statement of the block itself. */
+ * steps it. Returns false if the variable may have no value or change later, or if the nested loop
+ * is not a statement of the block itself. */
 static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable), is_behind = false;
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -277,8 +277,8 @@ static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_var
     return is_set && is_behind && !variable->address_taken;
 }
 
-/** Moves the beginning of the rest to where all values are known that determine through which rows
- * the nested loop steps. */
+/** Moves the beginning of the rest to where all values are known that determine the rows through
+ * which the nested loop steps. */
 static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped) {
@@ -297,7 +297,7 @@ static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node
 }
 
 /** Adds the update's row to the rows that are checked. Returns false if there are too many rows, or
- * this one cannot be computed before the rest. */
+ * if this row cannot be computed before the rest. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)
@@ -353,8 +353,8 @@ static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_varia
     return true;
 }
 
-/** Is the sum read only by updates outside of the inner loop, and are the elements that they update
- * not read again? Adds the updates' rows. */
+/** Is the sum read only by updates outside of the inner loop, and is none of these updates a store
+ * that the iteration reads again (forwarded_store)? Adds the rows of these updates. */
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum) {
     const reduction_update *update = loop_update_at(t->facts, node);
     if (update && expression_mentions(node, sum))

@@ -15,8 +15,8 @@ bool inner_statement_sets(const ir_node *statement, const ir_variable *variable)
            expression_is_variable(statement->children[0], variable);
 }
 
-/** Does the statement, or the first part of a `for`, set the variable, perhaps in one of several
- *  assignments separated by commas? */
+/** Does the statement, or the initialisation of a `for`, set the variable, perhaps in one of
+ *  several assignments separated by commas? */
 static bool header_sets(const ir_node *start, const ir_variable *variable) {
     if (start->kind == IR_EXPRESSION)
         start = start->children[0];
@@ -29,7 +29,8 @@ static bool header_sets(const ir_node *start, const ir_variable *variable) {
 typedef enum answer { ANSWER_NONE, ANSWER_SET, ANSWER_STALE } answer;
 
 /** Searches backwards from `node` in its block for a statement that sets the variable.
- * ANSWER_STALE: the value may come from an iteration of `inner`. */
+ * ANSWER_STALE: the search has met `inner`, so the value may come from an iteration of that
+ * loop. */
 static answer search_before(const ir_node *block, const ir_node *node, const ir_node *inner,
                             const ir_variable *variable) {
     unsigned i = 0;

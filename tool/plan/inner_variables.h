@@ -6,9 +6,9 @@
 
 #include "ir/ir.h"
 
-/** Is the variable's value dead at the end of each iteration of `inner`? It is if a statement that
- *  sets the variable precedes each read in `body`, the body of the outer loop, and no iteration of
- *  `inner` ends in between. Requires that the variable's address is never taken. */
+/** Is the variable's value dead at the end of each iteration of `inner`? It is if, before each read
+ *  in `body` (the body of the outer loop), a statement sets the variable and no iteration of
+ *  `inner` ends in between. The variable's address must never be taken. */
 bool inner_value_is_dead(const ir_node *body, const ir_node *inner, const ir_variable *variable);
 
 /** Is the statement a plain assignment of the variable, or its declaration with a value? */

@@ -49,8 +49,8 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
            lane_is_real(call->type) && call->child_count > 1;
 }
 
-/** Numbers of calls per iteration of functions without a body in the file. Calls in the bodies of
- * called functions are included. */
+/** Numbers of calls per iteration. Only calls of functions without a body in the file count, in the
+ * loop and in the functions that it calls. */
 typedef struct calls {
     int64_t failing;     /* calls that may set errno */
     int64_t by_lane;     /* calls without a vector form */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Calls of the C library in iterations executed as lanes. A function without a vector form is
- * called lane by lane, at the place of the call: its results have the library's bits, whatever the
- * order of the calls. The order matters only to errno, which keeps the value of the last call that
- * fails. Lanes make each call for all iterations before the next call, and calls in update
- * statements last. So lanes are allowed only if all calls fail in the same way, or at most one call
- * per iteration can fail, or only calls in update statements can.
+ * called lane by lane, at the place of the call. The results have the library's bits, whatever the
+ * order of the calls. The order affects only errno, which keeps the value of the last call that
+ * fails. Lanes make each call for all iterations before they make the next call. Calls in update
+ * statements come last. So lanes are allowed in three cases: all calls fail in the same way; at
+ * most one call per iteration can fail; or only calls in update statements can fail.
  */
 #ifndef PLAN_LANE_CALLS_H
 #define PLAN_LANE_CALLS_H

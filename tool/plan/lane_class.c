@@ -95,8 +95,8 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
-/** The LANE_VECTOR variable whose element or value the node is, or NULL if there is none, or a
- * subscript is not allowed. */
+/** Returns the LANE_VECTOR variable that the node names, as a whole or by an element. NULL if there
+ * is none, or if `allows` rejects a subscript. */
 static const ir_variable *vector_root(const lane_scope *l, const ir_node *node,
                                       bool (*allows)(const lane_scope *l,
                                                      const ir_node *subscript)) {
@@ -258,9 +258,9 @@ static bool is_divergent(const lane_scope *l, const ir_node *node, const ir_node
     }
 }
 
-/** The part of the scope that contains all uses of the value written: the block with the variable's
- * declaration; or, if all uses lie in loops that initialise the variable, the outermost such `for`
- * around the write. */
+/** Returns the part of the scope that contains all uses of the written value. This is the block
+ * with the variable's declaration. If all uses are in loops that initialise the variable, it is
+ * the outermost such `for` around the write. Otherwise it is the whole body. */
 static const ir_node *life_of(const lane_scope *l, const ir_node *write,
                               const ir_variable *variable) {
     const bool is_counter = lane_is_counter_only(l->body, variable);
@@ -274,8 +274,8 @@ static const ir_node *life_of(const lane_scope *l, const ir_node *write,
     return life;
 }
 
-/** Do only some lanes execute this write of the variable? Jumps out of enclosing statements have no
- *  vector form at all. */
+/** Do only some lanes execute this write of the variable? Jumps out of enclosing statements need
+ *  not be considered, because they have no vector form. */
 static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
                              const ir_variable *variable) {
     const ir_node *const life = life_of(l, write, variable);

@@ -57,8 +57,8 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** The variable that this node declares, assigns or steps, or NULL if there is none. Sets *other if
- * only a part of it, or the target of a pointer, is assigned. */
+/** Returns the variable that this node declares, assigns or steps; NULL if there is none. Sets
+ * *other if only a part of the variable, or the target of a pointer, is assigned. */
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
         return node->variable;
@@ -172,8 +172,8 @@ static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     return true;
 }
 
-/** May an update statement assign the variable, or (is_element) a part of it? Only if it is private
- * to the lane, or a loop counter. */
+/** May an update statement assign the variable or, if is_element, a part of it? True only if the
+ * variable is private to the lane, or is a loop counter. */
 static bool may_be_assigned_in_update(lane_scope *l, const ir_variable *variable, bool is_element) {
     if (!variable || !lane_is_own(l, variable))
         return false;

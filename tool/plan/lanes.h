@@ -13,8 +13,8 @@
 
 #include "plan/lane_class.h"
 
-/** The reason why the loop has no lanes, as far as known before the body is analysed;
- * LANES_NOT_ASKED: none are requested; LANES_WRITTEN: no reason is known yet. */
+/** Returns the reason why the loop has no lanes, as far as it is known before the body is analysed.
+ * LANES_NOT_ASKED: none are requested. LANES_WRITTEN: no reason is known yet. */
 lane_reason plan_lanes(const loop_plan *plan);
 
 /** Does the `for` initialise the variable? */
@@ -36,8 +36,8 @@ bool lane_is_part(const loop_facts *facts, const ir_node *statement);
  * lanes at once. */
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
 
-/** Records a problem if too much of an iteration's work, update statements and calls, is done lane
- * by lane, unless lanes are requested for all loops. */
+/** Records a problem if too much of an iteration's work is done lane by lane, in update statements
+ * and in calls. Does nothing if lanes are requested for all loops. */
 void lane_check_worth(lane_scope *l);
 
 /** An update statement is executed once for each lane. Records a problem if a jump leaves it, or if

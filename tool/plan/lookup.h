@@ -25,21 +25,21 @@ unsigned series_of(const loop_facts *facts, unsigned number);
 const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
 /** Do the inner loop's first and last iterations have the extreme addresses of its updates? */
 bool has_hull(const loop_facts *facts, const ir_node *loop);
-/** The increment at the end of a while or do loop's body, which the executor makes itself: copies
- * of the body omit it. Returns NULL if there is none. */
+/** Returns the increment at the end of a while or do loop's body. The executor makes this increment
+ * itself, so copies of the body omit it. Returns NULL if there is none. */
 const ir_node *body_increment(const loop_facts *facts);
 
 /** Is the variable private to the iteration, or declared in the body? */
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable);
 /** Does the loop only read the variable, which is declared outside of it? */
 bool is_captured(const loop_facts *facts, const ir_variable *variable);
-/** May each thread copy the captured variable, to keep it in a register? Only scalars, and small
- * structs of a fixed size whose address is never taken. */
+/** May each thread copy the captured variable, to keep it in a register? True only for scalars, and
+ * for small structs of a fixed size whose address is never taken. */
 bool is_copied_in(const ir_variable *variable);
 /** Is the counter declared outside of the loop, and live-out? */
 bool counter_outlives(const loop_facts *facts);
-/** Are there live-out private variables that each iteration assigns? Are there any that only some
- * iterations assign? */
+/** has_live_outs: are there live-out private variables that each iteration assigns?
+ * has_conditional_live_outs: are there any that only some iterations assign? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
 /** Does the loop have live-out variables, or variables that are stepped by a constant per

@@ -114,8 +114,8 @@ static const char *const macros_of_header[] = {
 #include "header_macros.inc"
 };
 
-/** Is the name one of the macros, or the beginning of one, to which a macro of the program may
- *  paste the rest? */
+/** Is the name one of the macros, or the beginning of one? A macro of the program may paste the
+ *  rest to such a beginning. */
 static bool may_be_macro(const char *name) {
     for (size_t i = 0; i < sizeof macros_of_header / sizeof *macros_of_header; i++)
         if (source_starts_with(macros_of_header[i], name))
@@ -136,9 +136,9 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-/** The words in the macros of loop.h and of the other headers for generated text, listed by
- * CMakeLists.txt without the runtime's own names. Each has the byte that follows it, since only a
- * `(` lets a function-like macro replace a word. */
+/** The words in the macros of loop.h and of the other headers for generated text, without the
+ * runtime's own names. CMakeLists.txt lists them. The byte that follows a word is listed with it,
+ * because a function-like macro replaces a word only before `(`. */
 static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };

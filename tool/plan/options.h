@@ -5,11 +5,12 @@
 
 #include <stdbool.h>
 
-/** How results may differ from the sequential loop's: not at all; in rounding, but equal for all
- * numbers of threads; in rounding from run to run (REDCC_ORDER_... of the runtime). */
+/** How results may differ from the sequential loop's. ORDER_SERIAL: not at all. ORDER_FIXED: in
+ * rounding, but they are equal for all numbers of threads. ORDER_ANY: in rounding, from run to
+ * run. These are the runtime's REDCC_ORDER_... . */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
-/** The loops that shall execute several iterations at once, if possible. */
+/** Which loops shall execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
     LANES_OF_HEAVY, /* loops with long iterations */

@@ -15,7 +15,7 @@ enum { MOST_ARRAYS = 6 /* as many as the macros of loop.h allow */ };
 /* ---- the place, and the function's name ---------------------------------------------------- */
 
 /** Does a directive in bytes [begin, end) change the meaning of a copy? Conditional directives do
- *  not: the copy contains the branches that are compiled (as_compiled.h). */
+ *  not, because the copy contains only the branches that are compiled (as_compiled.h). */
 static bool changes_copies(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = loop_text_first_directive(unit, begin);
          i < unit->directive_count && unit->directives[i].range.begin < end; i++) {
@@ -122,7 +122,7 @@ static bool is_stand_in(const loop_plan *plan, const ir_variable *variable, bool
 /* ---- by address ---------------------------------------------------------------------------- */
 
 /** Can the variable be passed by its address? Its names in the tree are replaced. A name that the
- *  tree does not contain would be undeclared in the written text: the self-check rejects it. */
+ *  tree does not contain would be undeclared in the written text, which the self-check rejects. */
 static bool can_be_pointed_to(const ir_variable *variable) {
     const ir_type *type = variable->type;
     return type->spelling && type->size > 0 && type->kind != IR_OTHER_TYPE && !type->is_volatile &&

@@ -3,9 +3,10 @@
  * Slice and body as separate functions, before the user's function.
  *
  * The moved text must keep its meaning. No directive may be between the two places, each name must
- * be declared at the new place or passed, and each type must have a name. A variable of the
- * function is passed by value if it is a scalar or a small struct that the loop only reads; an
- * array as a pointer, if its type and size are not used; any other variable by its address.
+ * be declared at the new place or passed, and each type must have a name. A variable of the user's
+ * function is passed by value if it is a scalar or a small struct that the loop only reads. An
+ * array is passed as a pointer if its type and size are not used. Any other variable is passed by
+ * its address.
  */
 #ifndef PLAN_OUTLINE_H
 #define PLAN_OUTLINE_H
@@ -14,8 +15,8 @@
 
 /** How a moved function gets a variable. */
 typedef enum passing {
-    NOT_PASSED,        /* not needed: declared inside, replaced by a parameter, or visible to the
-                        * moved function */
+    NOT_PASSED,        /* not needed: the variable is declared inside, replaced by a parameter, or
+                        * visible to the moved function */
     PASSED_BY_VALUE,   /* by value, as a parameter */
     PASSED_BY_ADDRESS, /* by a pointer that replaces its name */
     CANNOT_BE_PASSED

@@ -40,9 +40,9 @@ typedef struct token_ends {
     uint32_t declaration; /* the end of the last ; or } outside of parentheses */
 } token_ends;
 
-/** The position after the last function body that ends before `end`, or the beginning of the file.
- *  Searches begin there: the text before it decides nothing, and to read it for each function would
- *  be slow in a long file. */
+/** Returns the position after the last function body that ends before `end`, or the beginning of
+ *  the file. Searches for declarations begin there. The text before it does not matter, and reading
+ *  it for each function would be slow in a long file. */
 static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     uint32_t last = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
@@ -82,7 +82,8 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
 }
 
 /** Is there a pragma, other than redcc's, in bytes [begin, end)? Such a pragma may apply to the
- * text after it, unless it names what it applies to. */
+ * text after it. `omp threadprivate` does not count, because it names the variables to which it
+ * applies. */
 static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -105,8 +106,8 @@ static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) 
     return false;
 }
 
-/** The position for declarations before the function, which may begin with other text, such as a
- *  macro's name. UINT32_MAX: none. */
+/** Returns the position for declarations before the function; UINT32_MAX if there is none. The
+ *  function may begin with text outside of its range, such as a macro's name. */
 static uint32_t place_of(const ir_unit *unit, const ir_function *function) {
     const token_ends before = tokens_before(unit, function->range.begin);
     if (before.last == before.declaration)

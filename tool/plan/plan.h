@@ -31,8 +31,9 @@ typedef enum dependence_precheck {
     PRECHECK_OF_ALL      /* reads are logged and checked as well */
 } dependence_precheck;
 
-/** The section of an array that an OpenMP clause names, counted in elements of the array or in
- *  targets of the pointer: expressions of variables and numbers. */
+/** The section of an array that an OpenMP clause names: its lower bound and its length, counted in
+ *  elements of the array or in targets of the pointer. Both are texts of expressions of variables
+ *  and numbers. */
 typedef struct array_section {
     const char *lower, *length;
 } array_section;
@@ -76,8 +77,8 @@ typedef struct loop_plan {
     const plan_options *options;
     reason obstacle; /* why the loop cannot be written in any form; the message is NULL if it can.
                       * With an obstacle, is_shadowed and the fields after `precheck` may be unset.
-                      * The id is REASON_INDEX_EXPENSIVE if only bins could execute the loop,
-                      * otherwise NONE */
+                      * The id is REASON_INDEX_EXPENSIVE if only in-order binning could execute the
+                      * loop, otherwise REASON_NONE */
 
     unsigned source_count;
     const logged_source *sources;

@@ -118,8 +118,8 @@ static void check_ahead(unverified_reads *s, const ir_node *node, bool as_addres
     }
 }
 
-/** May reads that precede the loop's own fail because of unverified values? These are reads of
- * keys, bases and rows before the loop, and reads that an iteration logs before its first
+/** May reads that precede the loop's own reads fail because of unverified values? These are reads
+ * of keys, bases and rows before the loop, and reads that are logged before an iteration's first
  * statement. */
 static bool harms_ahead(loop_plan *plan, const bool *is_suspect) {
     const loop_facts *facts = plan->facts;

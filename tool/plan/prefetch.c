@@ -7,9 +7,10 @@
 #include "support/vector.h"
 
 enum {
-    /* Operations per iteration. Measured with regular accesses (script/bench lanes, the drag of a
-     * fabric): prefetching cost loops of 126 and 46 operations up to half of their speed, and a
-     * loop of 167 operations gained as much. With irregular accesses all loops gained. */
+    /* Least number of operations in an iteration for which prefetches are compiled. The runtime
+     * measures whether they pay. In script/bench lanes (the drag of a fabric), all loops with
+     * irregular accesses gained. With regular accesses, loops of 126 and 46 operations lost up to
+     * half of their speed, and a loop of 167 operations gained as much. */
     LEAST_WORK = 12,
     /* Operations of the iterations between a prefetch and its access. */
     AWAITED = 4000,
@@ -40,8 +41,8 @@ static bool has_source_loop(const loop_facts *facts) {
 
 typedef VECTOR(gather) gather_list;
 
-/** A call that the search has entered, by which parameters are traced to variables of the loop's
- *  function. */
+/** A call into which the search has descended. The chain of these calls traces parameters back to
+ *  variables of the loop's function. */
 typedef struct frame {
     const struct frame *caller; /* NULL: the loop itself */
     const ir_function *function;
@@ -62,8 +63,8 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** The state of the search. `visited`: the functions entered, each with its call depth and the
- * loop's variables that were its arguments. */
+/** The state of the search. `visited`: the functions searched so far, each with its call depth and
+ * the loop's variables that were its arguments. */
 typedef struct gather_search {
     arena *arena;
     map *visited;
@@ -164,8 +165,8 @@ static bool has_continue(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** Prefetches of gathers are inserted at the end of the slice: a `continue` would skip them, so a
- *  slice with one has none. */
+/** Prefetches of gathers are inserted at the end of the slice. A slice with a `continue` has none,
+ *  because the `continue` would skip them. */
 static void plan_gathers(const loop_plan *plan, prefetch_plan *prefetch) {
     const loop_facts *facts = plan->facts;
     const frame top = {.call = facts->loop};

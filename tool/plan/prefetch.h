@@ -2,8 +2,9 @@
 /**
  * Decides which executors prefetch the accesses of later iterations (redcc/prefetch.h), and how far
  * ahead. To find the addresses, the executor evaluates the slice once more. That is cheap compared
- * with a long iteration; compared with a light one, only if it mostly waits for memory. A static
- * estimate decides what is compiled; the runtime measures whether it pays.
+ * with a long iteration. Compared with a short one it is cheap only if the iteration mostly waits
+ * for memory. A static estimate decides whether prefetches are compiled; the runtime measures
+ * whether they pay.
  *
  * Why it is sound: a prefetch changes no value and cannot fail, and the inspector evaluates the
  * same slice. A slice with floating-point work might set errno where the loop does not, so such

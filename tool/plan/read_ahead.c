@@ -19,8 +19,9 @@
 typedef struct search {
     const loop_facts *facts;
     const ir_node *wanted;
-    const ir_variable *parameter; /* in a called function: any member reached by this pointer is
-                                   * searched for, instead of `wanted` */
+    const ir_variable *parameter; /* in a called function: the parameter by which it gets the
+                                   * structure. The search is then for any member reached by this
+                                   * pointer, instead of `wanted` */
     bool is_found;
     bool may_have_left; /* a jump may skip the following code */
 } search;
@@ -79,8 +80,8 @@ static void visit_inner_loop(search *s, const ir_node *loop) {
                                        * are refused */
 }
 
-/** Visits what computing an object's address reads: &e->rest[t] reads the pointer e->rest, and t,
- * but not the element. */
+/** Visits what is read when an object's address is computed: &e->rest[t] reads the pointer e->rest,
+ * and t, but not the element. */
 static void visit_address(search *s, const ir_node *object) {
     const ir_node *first = ir_child(object, 0);
     switch (object->kind) {
@@ -113,8 +114,8 @@ static const ir_node *structure_of(const ir_node *node) {
     return node->kind == IR_MEMBER ? ir_child(node, 0) : NULL;
 }
 
-/** Is the node the expression searched for, or another member of the same structure? If p->a is
- * read, p points to a whole structure, and p->b may be read. */
+/** Is the node the expression `wanted`, or another member of the same structure? If p->a is read, p
+ * points to a whole structure, so p->b may be read too. */
 static bool matches(const search *s, const ir_node *node) {
     if (!ir_is_expression(node))
         return false;
@@ -148,8 +149,8 @@ static void visit_callee(search *s, const ir_node *call) {
     }
 }
 
-/** Visits the address that a call such as mat_add(m, r, c, v) updates, which only the callee
- *  names. */
+/** Visits the address that a call such as mat_add(m, r, c, v) updates. The call's text does not
+ *  contain this address, because only the callee names it. */
 static void visit_called_update(search *s, const ir_node *statement) {
     for (unsigned i = 0; i < s->facts->update_count; i++) {
         const reduction_update *update = &s->facts->updates[i];

@@ -7,8 +7,8 @@
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
-/** Records an obstacle if the node is the address of the base itself (a pointer to the whole array,
- *  or the location of a pointer): its replacement has another address. */
+/** Records an obstacle if the node is the address of the base itself: a pointer to the whole array,
+ *  or the location of a pointer. The pointer that replaces the base has another address. */
 static void check_address(loop_plan *plan, const ir_node *base, const ir_node *node) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS && syntax_same(base, node->children[0]))
         plan_obstacle(plan, node->range, "the address of its array as a whole is taken");
@@ -22,8 +22,8 @@ static bool is_constant_scalar(const ir_type *type) {
            ir_type_is_scalar(inner) && inner->kind != IR_POINTER;
 }
 
-/** Is the variable used other than by reading it or its elements? Then its address matters, which
- *  differs between the copies of the body. */
+/** Is the variable used in another way than by reading it or its elements? If so, its address
+ *  matters, and that differs between the copies of the body. */
 static bool goes_by_address(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable) {
         const ir_node *whole = node;
@@ -56,8 +56,8 @@ static void check_statement(loop_plan *plan, const ir_node *node) {
         check_statement(plan, node->children[i]);
 }
 
-/** Does the function's text have `inline` before its body, and not `static`? Static objects are
- *  forbidden in it (C17 6.7.4p3). */
+/** Does the function's text have `inline` before its body, and not `static`? If so, C forbids
+ *  static objects in it (C17 6.7.4p3). */
 static bool is_shared_inline(const ir_unit *unit, const ir_function *function) {
     if (function->linkage.is_static || !function->body)
         return false;
@@ -100,7 +100,7 @@ static bool is_integer(const ir_type *type) {
 }
 
 /** Records an obstacle unless counter and bound are integers of at most 64 bits, the first value
- * can be converted to one, and the step is small. */
+ * can be converted to such an integer, and the step is small. */
 static void check_counter(loop_plan *plan) {
     const counted_loop *counted = &plan->facts->counted;
     const ir_type *counter = counted->counter->type;
@@ -127,8 +127,9 @@ static bool contains_base(const loop_facts *facts, const ir_node *node, unsigned
     return false;
 }
 
-/** Records an obstacle for two updates in one statement. In the body, an array's name means its
- * private copy; so an update of the copy must name the array. */
+/** Records an obstacle if two updates are in one statement, or if an update that may be made in a
+ * private copy does not name its array. In the body the array's name stands for the private
+ * copy. */
 static void check_updates(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {

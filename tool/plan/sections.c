@@ -28,8 +28,9 @@ static const ir_node *enumerator_in(const ir_node *node, const char *name) {
     return found;
 }
 
-/* A use of the enumerator `name` in a function of the file; the node has the enumerator's value.
- * Returns NULL if the name is no enumerator there, or a function declares the name itself. */
+/* Returns a use of the enumerator `name` in a function of the file. This node has the enumerator's
+ * value. Returns NULL if no function uses such an enumerator, or if a function itself declares the
+ * name as an enumerator, type or tag. */
 static const ir_node *enumerator_of(const ir_unit *unit, const char *name) {
     const ir_node *found = NULL;
     if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
@@ -40,8 +41,8 @@ static const ir_node *enumerator_of(const ir_unit *unit, const char *name) {
     return found;
 }
 
-/* The text for a name in the expression: the name of an integer variable, or the value of an
- * enumerator. Returns NULL if it is neither. */
+/* Returns the text for a name in the expression: an integer variable's name itself, or the value of
+ * an enumerator. NULL if it is neither. */
 static const char *value_of(const loop_plan *plan, const char *name) {
     const ir_variable *variable =
         openmp_variable(plan->unit, plan->facts->loop, plan->facts->function, name);
@@ -54,9 +55,9 @@ static const char *value_of(const loop_plan *plan, const char *name) {
     return constant ? arena_format(plan->arena, "(%lld)", (long long)constant->value) : NULL;
 }
 
-/* The expression, if it consists of integer variables, enumerators, numbers, + - * and parentheses;
- * else NULL. Such an expression can be evaluated before the loop: it has no effect and does not
- * trap. */
+/* Returns the expression with enumerators replaced by their values, if it consists of integer
+ * variables, enumerators, numbers, + - * and parentheses. Otherwise returns NULL. Such an
+ * expression can be evaluated before the loop, because it has no effect and does not trap. */
 static const char *simple_expression(const loop_plan *plan, const char *text) {
     buffer out = {0};
     size_t length;
@@ -76,8 +77,8 @@ static const char *simple_expression(const loop_plan *plan, const char *text) {
     return is_simple && is_some ? result : NULL;
 }
 
-/* Do the brackets after the first pair, separated by "][", name whole rows of this type, as in
- * "0:3"? */
+/* Do the brackets after the first pair, separated by "][", name whole rows of this type, such as
+ * "0:3" for rows of 3 elements? */
 static bool are_whole(const char *rest, const ir_type *row) {
     for (; rest; row = row->target) {
         rest += strlen("][");
@@ -95,8 +96,8 @@ static bool are_whole(const char *rest, const ir_type *row) {
     return !row || row->kind != IR_ARRAY; /* else brackets are missing */
 }
 
-/* Sets *it to the array's section in the clause. Returns false if there is none, or the text does
- * not show it. */
+/* Sets *it to the array's section in the clause. Returns false if the array has none, or the
+ * clause's text does not show it. */
 static bool find_section(const loop_plan *plan, const reduction_array *array, array_section *it) {
     const ir_node *base = array->base;
     const openmp_item *item =

@@ -6,8 +6,8 @@
 #include "analysis/loop/executed.h"
 #include "ir/ir_syntax.h"
 
-/** Do two sources have the same base, if their rows are recorded, or otherwise the same range? If
- * so, the runtime needs only one of them. */
+/** Does the runtime need only one of two sources? It does if they have the same base, in case their
+ * rows are recorded, and otherwise if they have the same range. */
 static bool move_together(const loop_source *left, const loop_source *right) {
     if (left->extent != right->extent)
         return false;

@@ -6,7 +6,8 @@
 #include "plan/plan.h"
 
 /** Numbers the sources that the runtime must know: those that may overlap the arrays, and those
- *  that determine subscripts. Sources that move together have one number. */
+ *  that determine subscripts. Sources with the same base or range share one number
+ *  (logged_source). */
 void plan_sources(loop_plan *plan);
 
 #endif

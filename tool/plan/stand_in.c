@@ -30,8 +30,9 @@ static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) 
 
 enum { MOST_MENTIONS = 64 }; /* each costs a search of the whole body */
 
-/** Does the tree have a node for each mention of the variable in the body's text? It has none for
- *  names in types (the length of an array, a typeof), which may use the array's type or size. */
+/** Does the tree have a node for each occurrence of the variable's name in the body's text? It has
+ *  none for names in types (the length of an array, a typeof), which may use the array's type or
+ *  size. */
 static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable) {
     const ir_node *body = plan->facts->counted.body;
     const char *text = plan->unit->source->text;

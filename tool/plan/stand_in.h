@@ -7,8 +7,8 @@
 
 /** May a pointer replace this array in the body? Not if its type or its size may be used. */
 bool can_be_pointer(const loop_plan *plan, const ir_variable *variable);
-/** May a pointer of the same name replace the base of a reduction array, which may be a pointer
- *  already? */
+/** May a pointer of the same name replace the base of a reduction array in the body? The base may
+ *  already be a pointer. */
 bool can_be_shadowed(const loop_plan *plan, const ir_node *base);
 /** Does the body use a macro? */
 bool has_macro(const loop_plan *plan);

@@ -47,8 +47,8 @@ static bool is_number_of(const ir_type *type) {
     return ir_type_is_plain_integer(type) && type->size >= 4;
 }
 
-/** Is the node `row + c` with c >= 0, without wrapping around? It does not wrap if c is at most the
- *  step, since the counter plus the step stays in its type. Sets *offset to c. */
+/** Is the node `row + c` with c >= 0, and does the sum not wrap around? It does not if c is at most
+ *  the step, because the counter plus the step stays in the counter's type. Sets *offset to c. */
 static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (expression_is_variable(node, p->row))
@@ -63,8 +63,8 @@ static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     return false;
 }
 
-/** Is the bound a macro's name, and is that name the whole text between < and ; of the
- * condition? */
+/** Is the bound a macro's name, and is this name the whole text between `<` or `<=` and the `;` of
+ * the condition? */
 static bool is_named_bound(const pairs *p, const ir_node *node, const ir_node *loop) {
     const ir_node *condition = loop->children[1];
     const source *text = p->plan->unit->source;
@@ -91,7 +91,7 @@ static bool is_editable(const pairs *p, const ir_node *node, const ir_node *loop
            (!(node->flags & IR_FROM_MACRO) || is_named_bound(p, node, loop));
 }
 
-/** Are the first row and the first column equal modulo the step? Otherwise the columns' numbers lie
+/** Are the first row and the first column equal modulo the step? If not, the columns' numbers lie
  * between the rows' numbers. */
 static bool begin_together(const counted_loop *outer, const counted_loop *inner) {
     int64_t row, column;
@@ -137,8 +137,8 @@ static bool may_leave(const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Does the statement write only variables, except in updates and sums of scalars, and contain no
- * `continue` and no loop but those with constant bounds? */
+/** Does the statement, apart from updates and sums of scalars, write only variables? It must
+ * contain no `continue`, and no loops except those with constant bounds. */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
     const reduction_update *update = loop_update_at(p->facts, node);
@@ -155,8 +155,8 @@ static bool only_computes(const pairs *p, const ir_node *node) {
     return true;
 }
 
-/** Does only_computes hold for all statements before and after the inner loop, in the blocks around
- * it? */
+/** Is only_computes true for all statements before and after the inner loop, in the blocks around
+ * that loop? */
 static bool row_only_computes(const pairs *p) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; i < node->parent->child_count; i++)
@@ -214,8 +214,8 @@ static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item)
     return true;
 }
 
-/** May an inner iteration, or the inner loop's header, leave a value in the variable that a later
- *  inner iteration or the statements after the inner loop read? */
+/** May an inner iteration, or the inner loop's header, leave a value in the variable that is read
+ *  by a later inner iteration or after the inner loop? */
 static bool may_be_left(const pairs *p, const ir_variable *variable) {
     const ir_node *const step = p->span.loop->children[2]; /* executed after each inner iteration */
     return variable->address_taken ||
@@ -225,8 +225,8 @@ static bool may_be_left(const pairs *p, const ir_variable *variable) {
 }
 
 /** Lists in tiles->kept[] the iteration's variables in which inner iterations leave values.
- * Variables declared in the inner loop are new in each of its iterations. Returns false if one
- * cannot be kept. */
+ * Variables declared in the inner loop are left out, because each inner iteration has new ones.
+ * Returns false if a variable cannot be kept. */
 static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
     for (unsigned i = 0; i < variables->private_count; i++) {
@@ -333,8 +333,8 @@ static bool find_element(const pairs *p, const reduction_update *update, element
     return add(&e->high, update->row->type->size, 1);
 }
 
-/** Does each update of the array change only bytes of the element whose number is its row or its
- *  column? Elements do not overlap: the bytes that updates change lie within one stride. */
+/** Does each update of the array change only bytes of the element whose number is the pair's row or
+ *  column? The elements must not overlap: the bytes that updates change lie within one stride. */
 static bool has_elements(const pairs *p, unsigned array) {
     int64_t stride = 0, low = INT64_MAX, high = INT64_MIN, span;
     for (unsigned i = 0; i < p->facts->update_count; i++) {

@@ -53,8 +53,7 @@ typedef struct kept_value {
 } kept_value;
 
 typedef struct tile_plan {
-    const char *declined;         /* the reason why there are no tiles, or NULL if there are
-                                   * tiles */
+    const char *declined;         /* the reason why there are no tiles; NULL if there are tiles */
     const ir_node *inner;         /* the loop over columns: the body, or a statement in it */
     const ir_variable *column;    /* its counter */
     const ir_node *lower, *bound; /* first value and bound in its header */

@@ -3,8 +3,8 @@
 
 #include "analysis/base/counted.h"
 
-/** May the node skip the statements inside it? A loop with constant bounds without jumps executes
- * all its iterations. */
+/** May the node skip the statements inside it? False for a loop with constant bounds and without
+ * jumps, which executes all its iterations. */
 static bool has_condition(const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;

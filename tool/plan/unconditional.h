@@ -8,8 +8,9 @@
 
 /** May the inspector execute this statement when the program does not? */
 bool is_unconditional(const loop_facts *facts, const ir_node *statement);
-/** May the inspector log the update's row, or the read, when the program does not execute it? The
- *  address must then be computed as a number. */
+/** update_is_unconditional: may the inspector log the update's row even if the program does not
+ *  execute the update? source_is_unconditional: may it log the read even if the program does not
+ *  execute the read? In both cases the address must then be computed as a number. */
 bool update_is_unconditional(const loop_facts *facts, const reduction_update *update);
 bool source_is_unconditional(const loop_facts *facts, const loop_source *read);
 /** Does computing the address as a number need the operator & on an object? It does not for an

@@ -22,8 +22,8 @@ enum {
     MOST_BODY = 300          /* such a body is compiled twice: with owner checks and without */
 };
 
-/** The maximum number of a loop's iterations, from its text and that of the loops around it, or 0
- * if it is unknown or exceeds MOST_ITERATIONS. */
+/** Returns the greatest number of iterations that the loop may have according to its text and that
+ * of the loops around it. Returns 0 if it is unknown or exceeds MOST_ITERATIONS. */
 static int64_t few_iterations(const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last, other;
@@ -43,8 +43,8 @@ static int64_t few_iterations(const ir_node *loop) {
     return iterations > 0 && iterations <= MOST_ITERATIONS ? iterations : 0;
 }
 
-/** The number of nodes after unrolling all short loops below the node and inlining functions;
- *  counting stops above `most`. */
+/** Returns the number of nodes after all short loops below the node are unrolled and called
+ *  functions are inlined. Counting stops above `most`. */
 static int64_t unrolled_size(const ir_node *node, int64_t most) {
     int64_t size = 1;
     const bool is_call = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION;

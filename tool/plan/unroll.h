@@ -5,9 +5,9 @@
 
 #include "plan/plan.h"
 
-/** Should the compiler unroll the `for`? is_unrolled_computation decides for vector code,
- * is_unrolled_lane_update for loops around updates in vector code, is_unrolled_in_body for the body
- * of one iteration. The size of the unrolled code decides. */
+/** Should the compiler unroll the `for`? is_unrolled_computation decides this for vector code,
+ * is_unrolled_lane_update for loops around updates in vector code, and is_unrolled_in_body for the
+ * body of one iteration. Each decides by the size of the unrolled code. */
 bool is_unrolled_computation(const ir_node *loop);
 bool is_unrolled_lane_update(const ir_node *loop);
 bool is_unrolled_in_body(const ir_node *loop);

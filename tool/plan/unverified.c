@@ -17,8 +17,8 @@ bool unverified_part(const unverified_reads *s, const ir_node *node) {
     return false;
 }
 
-/** Is the path, or the base or row that it begins with, read from a source that may overlap a
- *  reduction array? `is_whole`: the path is complete, not the beginning of one. */
+/** Is the path, or the base or row with which it begins, read from a source that may overlap a
+ *  reduction array? `is_whole`: `path` is the complete path, not just its beginning. */
 static bool depends_on_guarded(const unverified_reads *s, const ir_node *path, bool is_whole) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->source_count; i++) {
@@ -42,7 +42,7 @@ static bool is_of_row(const ir_node *path, const ir_node *row) {
     return true;
 }
 
-/** Is the path part of a source that no update can overlap, or a key? All that the slice reads is a
+/** Is the path a key, or part of a source that no update can overlap? All that the slice reads is a
  *  source or a key. */
 static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
     const loop_facts *facts = s->plan->facts;
@@ -80,8 +80,8 @@ bool may_hold_address(const ir_type *type) {
 }
 
 /** May a read of this type in a called function read an unverified source? The caller's sources
- * include all reads of the callee that may overlap an update. With is_typed their types are
- * compared; otherwise any read may. */
+ * include all reads of the callee that may overlap an update. If is_typed, the types of these
+ * sources are compared with the read's. Otherwise the answer is always true. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
@@ -174,8 +174,8 @@ bool unverified_value(const unverified_reads *s, const ir_node *node) {
 
 /* ---- marking ------------------------------------------------------------------------------- */
 
-/** Marks the variable that a write modifies. A write through a pointer modifies none, or one whose
- *  address was taken. */
+/** Marks the variable that a write modifies. A write through a pointer marks nothing: it modifies
+ *  no variable, or one whose address was taken. */
 static void mark(unverified_reads *s, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const bool is_behind = root && root->type->kind == IR_POINTER && lvalue->kind != IR_VARIABLE;
@@ -185,8 +185,8 @@ static void mark(unverified_reads *s, const ir_node *lvalue) {
     }
 }
 
-/** Marks variables that a call may write through its arguments. The target of a pointer is not a
- *  variable. */
+/** Marks variables that a call may write through its arguments. Targets of pointers are not
+ *  variables, so they are not marked. */
 static void mark_arguments(unverified_reads *s, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];

@@ -48,8 +48,8 @@ unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect,
 unverified_reads unverified_begin_callee(const unverified_reads *s, const ir_node *call);
 
 /** unverified_value: does the value of the expression depend on unverified values? unverified_part:
- * does the value of one of its parts? unverified_condition: do unverified values decide which parts
- * of the statement are executed? */
+ * does the value of one of the expression's parts? unverified_condition: do unverified values
+ * decide which parts of the statement are executed? */
 bool unverified_value(const unverified_reads *s, const ir_node *node);
 bool unverified_part(const unverified_reads *s, const ir_node *node);
 bool unverified_condition(const unverified_reads *s, const ir_node *node);

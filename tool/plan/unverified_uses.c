@@ -16,8 +16,8 @@ static bool is_evaluated_anyway(const unverified_reads *s, const ir_node *node) 
     return false;
 }
 
-/** Is the node part of an update that the inspector logs under fewer conditions than the loop? The
- *  inspector then reads the update's subscripts anyway. */
+/** Is the node part of an update that the inspector logs under fewer conditions than the loop makes
+ *  it? The inspector then reads the update's subscripts in any case. */
 static bool is_subscript_of_unconditional_update(const unverified_reads *s, const ir_node *node) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
@@ -26,8 +26,8 @@ static bool is_subscript_of_unconditional_update(const unverified_reads *s, cons
     return false;
 }
 
-/** Is the node a member, or an element with a constant subscript, of a local variable? It can
- * always be read. */
+/** Is the node a member, or an element with a constant subscript, of a local variable? Such a node
+ * can always be read. */
 static bool is_fixed_part(const ir_node *node) {
     for (; node->kind != IR_VARIABLE; node = node->children[0]) {
         const bool is_element = node->kind == IR_INDEX && node->children[1]->flags & IR_HAS_VALUE;
@@ -79,8 +79,8 @@ static void check_callee(unverified_reads *s, const ir_node *call) {
     s->is_harmful |= inner.is_harmful;
 }
 
-/** Is a call of a function without a body harmless? System functions on numbers accept any values;
- *  other functions may do anything with unverified ones. */
+/** Is a call of a function without a body harmless? System functions on numbers accept any values.
+ *  Other functions may do anything with unverified values. */
 static bool is_harmless_unseen(const unverified_reads *s, const ir_node *call, control how) {
     const bool is_known = ir_called_function(call)->is_from_system;
     for (unsigned i = 1; i < call->child_count; i++)

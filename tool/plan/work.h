@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Estimates the work of an iteration in floating-point operations. A division, or a call with a
- *  floating result, counts as 8; the body of the function called is added. */
+ *  floating result, counts as 8. A call also counts the operations of the called function's
+ *  body. */
 #ifndef PLAN_WORK_H
 #define PLAN_WORK_H
 
@@ -18,8 +19,8 @@ int64_t work_of_iteration(const loop_plan *plan);
 /** Operations of a statement of the iteration. */
 int64_t work_of_statement(const loop_plan *plan, const ir_node *statement);
 
-/** The statement's work other than its updates: nodes of expressions, times their executions,
- *  including called functions. */
+/** Returns the statement's work outside of its updates: the number of nodes of expressions, times
+ *  their executions, including called functions. */
 int64_t work_outside_updates(const loop_plan *plan, const ir_node *statement);
 
 /** The trip count of a loop with constant bounds: 3 for `for (c = 0; c < 3; c++)`. Returns 0 if it

@@ -19,8 +19,8 @@ int written_loop_at(const emit_result *written, uint32_t offset) {
     return -1;
 }
 
-/** The origin of the word or copy that contains this byte of the loop's text, or NULL if the byte
- * is the translator's own. */
+/** Returns the origin of the word or copy that contains this byte of the loop's text. NULL if the
+ * translator itself wrote the byte. */
 static const origin *origin_at(const written_loop *loop, uint32_t at) {
     unsigned low = 0, high = loop->origins.items.count;
     while (low < high) {
@@ -47,8 +47,8 @@ static uint32_t place_before(const emit_result *written, uint32_t offset) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** Does the declaration have a name? libclang names a nameless one by a text with its position, in
- * parentheses. */
+/** Does the declaration have a name? To a nameless declaration libclang gives a text with its
+ * position, in parentheses. */
 static bool has_name(const ir_declared *declared) {
     return declared->name[0] && !strchr(declared->name, '(');
 }
@@ -100,7 +100,7 @@ static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
     return unit->references + low;
 }
 
-/** The name is in a copy of the program's text from `offset`. Does it have the same meaning there?
+/** Does the name have the same meaning at `offset` of the program's text, from which it was copied?
  * All names to which a macro expands have one offset. */
 static bool is_as_before(const comparison *c, const ir_reference *reference, uint32_t offset) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -220,8 +220,8 @@ static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) 
     return false;
 }
 
-/** The type of an expression in the loop's text that has another type than the original, or is
- * missing from the tree, or NULL if there is none. */
+/** Returns the type of the first expression in the loop's text that has not the type it should
+ * have, or is missing from the tree. NULL if there is none. */
 static const char *wrong_type(const ir_unit *after, const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
         const origin *o = &loop->origins.items.items[i];

@@ -8,10 +8,11 @@
 
 /**
  * Compares, for each name in the loops' new text, the declaration that the compiler finds with the
- * intended one. In a copy of the user's bytes, that is the declaration found in `before`; for a
- * name written by the translator, the variable, function or type that it refers to. `after` is the
- * written text, parsed. Sets wrong[i], for `written->loops[i]`, to the first name with another
- * meaning, or leaves it unchanged. Thread-safe; the names belong to the units.
+ * intended one. For a name in a copy of the user's bytes, the intended declaration is the one found
+ * in `before`. For a name written by the translator, it is the variable, function or type to which
+ * the name refers. `after` is the written text, parsed. Sets wrong[i], for `written->loops[i]`, to
+ * the first name with another meaning, or leaves it unchanged. Thread-safe; the names belong to the
+ * units.
  */
 void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
                     const char **wrong);

@@ -29,8 +29,9 @@ static void drop_attributes(char *text) {
     *to = 0;
 }
 
-/** The unit without marks of skipped branches. Different branches are harmless if the declarations
- * in them, which are compared, are equal. */
+/** Returns the unit without marks of skipped branches, so that text_of does not show which branches
+ * were compiled. It is harmless if other branches are compiled, provided that the declarations in
+ * them, which are compared, are equal. */
 static ir_unit without_branches(arena *a, const ir_unit *unit) {
     ir_unit shown = *unit;
     shown.directives = ARENA_ARRAY(a, ir_directive, unit->directive_count + 1);

@@ -47,7 +47,7 @@ static bool is_once(arena *a, const ir_directive *directive) {
 }
 
 /* Does the directive mean the same in the including file? A compiler looks for "x.h" first in the
- * folder of the file that names it; `is_beside`: both files are in one folder. */
+ * folder of the file that names it. `is_beside`: header and including file are in one folder. */
 static bool directive_fits(arena *a, const ir_directive *directive, bool is_beside) {
     const char *rest = "";
     const char *word = directive_word(a, directive->text, &rest);
@@ -62,8 +62,8 @@ static bool directive_fits(arena *a, const ir_directive *directive, bool is_besi
     return false;
 }
 
-/* Does the text before `end` end with a declaration? Otherwise a macro's name at its end might find
- * its arguments after the directive. */
+/* Does the text before `end` end with a declaration? Otherwise it might end with a macro's name
+ * that takes its arguments from the text after the directive. */
 static bool ends_with_declaration(const char *text, uint32_t end, const ir_directive *directives,
                                   unsigned count) {
     char last = ';';
@@ -104,8 +104,8 @@ static bool text_fits(arena *a, const source *header, const source *around) {
 
 /* ---- the directive ------------------------------------------------------------------------- */
 
-/* Finds `#include "x.h"`, with nothing after it, on the line around `offset`. Sets *found to its
- * range. */
+/* Finds a directive `#include "x.h"`, with nothing after it, on the line around `offset`. Sets
+ * *found to the directive's range. */
 static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found) {
     const source *s = unit->source;
     uint32_t begin = offset, end = offset;
@@ -128,8 +128,8 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
     return true;
 }
 
-/* Does the file or a header use __INCLUDE_LEVEL__? A header's text that replaces its #include
- * directive has a level that is lower by one. */
+/* Does the file or a header use __INCLUDE_LEVEL__? In a header's text that replaces its #include
+ * directive, the level is lower by one. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
     bool is_found = strstr(unit->source->text, word) != NULL;
@@ -141,8 +141,8 @@ static bool names_level(arena *a, const ir_unit *unit) {
     return is_found;
 }
 
-/* The only directive in the main file that includes the header, or NULL if there are more, or
- * none. */
+/* Returns the only directive that includes the header, if it is in the main file. NULL if there are
+ * several such directives, none, or it is in another file. */
 static const ir_inclusion *only_inclusion(const ir_unit *unit, const char *header) {
     const ir_inclusion *only = NULL;
     for (unsigned i = 0; i < unit->text.inclusion_count; i++) {
@@ -213,8 +213,8 @@ static void add_text(arena *a, buffer *out, const source *header) {
         buffer_byte(out, '\n');
 }
 
-/* The header's name as the compiler writes it in __FILE__: in the current folder clang writes ./x.h
- * for x.h. */
+/* Returns the header's name as the compiler writes it in __FILE__. For a header x.h in the current
+ * folder, clang writes ./x.h. */
 static const char *name_in_program(arena *a, const ir_unit *unit, const header_use *use,
                                    bool as_clang) {
     const bool is_here = !*path_folder(a, unit->source->path);

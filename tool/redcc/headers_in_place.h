@@ -27,13 +27,14 @@ const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses 
                                bool as_clang);
 
 /** Does a loop of the header run in parallel? `unit` is a source with headers in place. `obstacles`
- * has, for each verdict, the reason why its loop could not be written, without a message if it
- * could; it may be NULL if all loops could be written. */
+ * has, for each verdict, the reason why its loop could not be written, or a reason without a
+ * message. It may be NULL if all loops could be written. */
 bool header_is_used(const ir_unit *unit, const analysis_result *analysed, const reason *obstacles,
                     const char *header);
 
-/** The verdicts `found` of `unit`. A loop of a header whose text the source in_place contains was
- * analysed there: it gets its reason from the verdicts `known` of in_place. */
+/** Returns the verdicts `found` of `unit`, with other reasons for some loops of headers. A header's
+ * loop was analysed in `in_place` if that source contains the header's text; it gets its reason
+ * from `known`, the verdicts of `in_place`. */
 analysis_result with_reasons_in_place(arena *a, const ir_unit *unit, const analysis_result *found,
                                       const ir_unit *in_place, const analysis_result *known);
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions of other files that a file's loops call: found in the project's sources, and parsed.
- *  The facts hold only for a program linked with these definitions. A loop checks that when it runs
- *  (redcc_are_linked), so correctness does not depend on which file was found. */
+/** Functions of other files that a file's loops call. They are found in the project's sources, and
+ *  parsed. The facts about them hold only for a program linked with these definitions. A loop
+ *  checks that when it runs (redcc_are_linked), so correctness does not depend on which file was
+ *  found. */
 #ifndef IMPORTS_H
 #define IMPORTS_H
 
@@ -10,8 +11,8 @@
 #include "redcc/options.h"
 
 /**
- * Adds the bodies of functions that loops of refused verdicts call, directly or not, and that the
- * file only declares. Returns whether there are any; the unit must then be analysed again.
+ * Adds the bodies of functions that refused loops call, directly or not, and that the file only
+ * declares. Returns whether any body was added; if so, the unit must be analysed again.
  */
 bool imports_add(arena *a, ir_unit *unit, const project *around, const string_list *flags,
                  const analysis_result *before);

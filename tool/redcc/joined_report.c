@@ -42,8 +42,8 @@ static bool has_rule(const json_t *rules, const json_t *rule) {
     return false;
 }
 
-/* Adds the results that the log does not contain yet: a loop of a header is a result of each file
- * that includes it. */
+/* Adds those results that the log does not contain yet. A loop of a header is a result of each file
+ * that includes the header. */
 static void add_results(joined_report *joined, json_t *results) {
     json_t *all = json_object_get(run_of(joined->log), "results");
     for (size_t i = 0; i < json_array_size(results); i++) {

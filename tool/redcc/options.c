@@ -87,8 +87,8 @@ typedef enum option_name {
     OPTION_VERSION
 } option_name;
 
-/** The long options. A text that ends in = takes a value, attached (--explain's may also be the
- * next word). */
+/** The long options. A text that ends in = takes a value, which is attached to it. The value of
+ * --explain may also be the next word. */
 static const struct long_option {
     const char *text;
     option_name name;
@@ -177,8 +177,8 @@ static const char *list_words(arena *a, const char *const *words, size_t count) 
     return list;
 }
 
-/** Sets *number to the number of `value` among `words`, or returns a message with the valid
- *  words. */
+/** Sets *number to the index of `value` in `words`. If `words` does not contain it, returns a
+ *  message with the valid words. */
 static const char *read_word(arena *a, const char *name, const char *const *words, size_t count,
                              const char *value, int *number) {
     *number = find_word(words, count, value);

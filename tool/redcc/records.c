@@ -51,15 +51,16 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* Is the function without a record? It is if it is an inline definition, or if no known source
- * defines it. Then the program may lack it, because the compiler may remove all its calls. */
+/* Is the function without a record? True for an inline definition, and if no known source defines
+ * the function. The program may lack such a function, because the compiler may remove all its
+ * calls. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)
                    : !project_definer(r->around, f->name, NULL);
 }
 
-/* Is the function declared inside another one? Then it cannot be named at the file's end, and its
- * callers get no records. */
+/* Is the function declared inside another function? If so, it cannot be named at the file's end,
+ * and its callers get no records. */
 static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     for (unsigned i = 0; !f->declared->file && i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];

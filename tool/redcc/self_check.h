@@ -21,8 +21,8 @@ bool own_runtime_header_exists(arena *a);
 bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found);
 
-/** Returns a sentence, in the arena, that says so if the flags find another <redcc/runtime.h>
- * before redcc's own. Returns NULL if they do not, or if redcc's own is not installed. */
+/** Returns a sentence, in the arena, if the flags make the compiler find another <redcc/runtime.h>
+ * before redcc's own. Returns NULL if they do not, or if redcc's own header is not installed. */
 const char *other_runtime_header(arena *a, const string_list *flags);
 
 #endif

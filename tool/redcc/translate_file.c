@@ -251,9 +251,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
 }
 
 /**
- * Writes the analysed file, and checks it. If the text of a loop is wrong, writes the file again:
- * that loop without lanes or, if it had none, unchanged. If only a report is wanted, there is no
- * check, because parsing the output costs as much as parsing the input.
+ * Writes the analysed file, and checks it. If the text of a loop is wrong, writes the file again,
+ * with that loop without lanes or, if it had none, unchanged. If only a report is wanted, the file
+ * is not checked, because parsing the output costs as much as parsing the input.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
@@ -333,15 +333,15 @@ static header_uses used_headers(arena *a, const analysed_file *file, const reaso
     return used;
 }
 
-/** May headers be put in place? The output then contains them, and does not follow their changes.
- * So this is done only for a report, or for redcc-cc, which translates again when a header
- * changes. */
+/** May headers be put in place? The output then contains their text, and does not follow changes of
+ * the headers. So this is done only for a report, or for redcc-cc, which translates again when a
+ * header changes. */
 static bool may_have_headers(const options *o) {
     return !o->output || o->compiler != COMPILER_ANY;
 }
 
-/** The file with headers in place of their #include directives: those with a loop that can run in
- * parallel. If there are none, the file itself. */
+/** Returns the file with the text of some headers in place of their #include directives. These are
+ * the headers with a loop that can run in parallel. If there are none, returns the file itself. */
 static analysed_file with_headers(const analysing *by, analysed_file *file) {
     arena *a = by->memory;
     header_uses headers = headers_that_fit(a, file->unit, &file->analysed);

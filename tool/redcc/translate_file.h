@@ -32,8 +32,8 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
 /** Parses as translate_file does. */
 frontend_result translate_file_parse(arena *a, const source *file, const string_list *flags);
 
-/** Appends the facts about the file's functions, for external_read; nothing, without a message, if
- * it cannot be parsed. */
+/** Appends the facts about the file's functions, for external_read. Appends nothing, and gives no
+ * message, if the file cannot be parsed. */
 void translate_file_exports(arena *a, const options *o, const char *path, buffer *out);
 
 #endif

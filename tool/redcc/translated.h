@@ -5,8 +5,8 @@
 
 #include "support/source.h"
 
-/** Are the lines with which each written file begins in the text, and not in a comment or string?
- * Other tools may have put text before them. */
+/** Was the file written by redcc? It contains the lines with which each written file begins,
+ * outside of comments and strings. Other tools may have put text before these lines. */
 bool is_translated(const source *file);
 
 #endif

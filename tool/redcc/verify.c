@@ -79,8 +79,8 @@ static long threads_to_use(void) {
     return threads < 2 ? 2 : threads;
 }
 
-/* Runs the program. REDCC_VALIDATE (docs/report.md) makes the parallel program execute each loop in
- * parallel from the first call on, and report that: by default it would begin with the original
+/* Runs the program. With REDCC_VALIDATE (docs/report.md), the parallel program executes each loop
+ * in parallel from the first call on, and reports that. By default it would begin with the original
  * loop. */
 static void execute(const workplace *w, program *p, bool is_parallel) {
     word_list words = {0};

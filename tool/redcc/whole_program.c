@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Two rounds, each with a process for each file: first facts about the files' functions, then the
- * loops. The counts come from redcc-cc's reports on the build's commands. */
+/* The analysis has two rounds, each with one process for each file. The first round collects facts
+ * about the files' functions; the second analyses the loops. The counts of the build come from
+ * redcc-cc's reports on the build's commands (build_counts.h). */
 #include "redcc/whole_program.h"
 
 #include <stdio.h>

@@ -5,9 +5,9 @@
 
 #include "redcc/options.h"
 
-/** Reports on each file as if alone, except for the facts of external_functions.h, and prints a
- *  summary on standard error. Returns false if a file could not be analysed; the others are
- *  analysed anyway. */
+/** Reports on each file as it would alone, except that the facts of external_functions.h are used.
+ *  Prints a summary on standard error. Returns false if a file could not be analysed; the others
+ *  are analysed anyway. */
 bool whole_program_analyse(arena *a, const options *o);
 
 #endif

@@ -12,8 +12,8 @@ typedef VECTOR(const char *) text_list;
 /** The verdict as a word: "transformed", "refused" or "not-a-reduction". */
 const char *verdict_word(const loop_verdict *verdict);
 const char *element_word(const reduction_array *array);
-/** The guards of the loop: the pairs of objects that are checked at run time, as "no-overlap(h,
- * w)", each once. */
+/** The guards of the loop, as texts such as "no-overlap(h, w)". Each is a pair of objects that are
+ * checked at run time, and occurs once. */
 text_list verdict_guards(arena *a, const loop_verdict *verdict);
 /** One line: "loop in 'kernel' runs in parallel: h (+ double)". */
 const char *verdict_sentence(arena *a, const loop_verdict *verdict);

@@ -6,10 +6,10 @@
 #include "analysis/base/facts.h"
 
 typedef struct plan_answer {
-    const char *word;   /* "kept": one plan is reused while its inputs are unchanged; "remade": each
-                         * execution builds one; "none": in-order binning executes the loop without
-                         * one; "never": the loop runs sequentially unless a method is named. NULL:
-                         * not translated, or run in fixed blocks */
+    const char *word;   /* "kept": one plan is reused while its inputs are unchanged. "remade": each
+                         * execution builds one. "none": in-order binning executes the loop without
+                         * a plan. "never": the loop runs sequentially unless a method is named.
+                         * NULL: the loop is not translated, or runs in fixed blocks */
     const char *cause;  /* reason for "remade" and "never"; otherwise NULL */
     const char *advice; /* a change of the source that would help, or NULL if there is no simple
                          * one */

@@ -121,8 +121,8 @@ static json_t *rule_object(arena *a, const report_input *input, const loop_verdi
     return rule;
 }
 
-/* Does the loop become a result in the SARIF file? By default a loop that runs in parallel does
- * not, since it needs no review. */
+/* Does the loop become a result in the SARIF file? By default, a loop that runs in parallel does
+ * not, because it needs no review. */
 static bool is_reported(const report_input *input, const loop_verdict *verdict) {
     return input->all || !verdict_is_written(verdict);
 }

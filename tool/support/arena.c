@@ -43,8 +43,8 @@ static block *add_block(arena *a, size_t size) {
     return b;
 }
 
-/* Returns a block with room for `size` bytes. A large object's block is linked after the one being
- * filled, so that the rest of the latter stays in use. */
+/* Returns a block with room for `size` bytes. A large object gets a block of its own. This block is
+ * linked after the one being filled, so that the remaining room in that one stays in use. */
 static block *block_with_room(arena *a, size_t size) {
     block *filling = a->blocks;
     if (filling != NULL && size <= filling->size - filling->used)

@@ -30,8 +30,8 @@ static const char *skip_blanks(const char *at, const char *end) {
     return at;
 }
 
-/* The position after an attribute's arguments, such as `(1, 2)` or `("default")`. Returns NULL if
- * they contain more than numbers and quoted words. */
+/* Returns the position after an attribute's arguments, such as `(1, 2)` or `("default")`. Returns
+ * NULL if the arguments are not only numbers and quoted words. */
 static const char *skip_numbers(const char *at, const char *end) {
     if (at == end || *at != '(')
         return at;

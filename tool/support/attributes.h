@@ -6,9 +6,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** Does an attribute of this name change neither the meaning nor the rounding of the function's
- * text, even if a part of it is moved to another function? noinline, cold and unused are harmless;
- * target, optimize and unknown attributes are not. The name may have underscores around it. */
+/** Is the attribute harmless: does it change neither the meaning nor the rounding of the function's
+ * text, even if a part of the text is moved to another function? noinline, cold and unused are
+ * harmless; target, optimize and unknown attributes are not. The name may have underscores around
+ * it. */
 bool attribute_is_harmless(const char *name, size_t length);
 
 /** Are all attributes in a function's head (the text from `at` to `end`, without its body)

@@ -6,8 +6,8 @@
 #include <string.h>
 
 /* Sorted as by strcmp; tests/driver/test_options.c checks the order. An option that is not listed
- * has no argument, does not concern the translator, and is passed only to the compiler. Among gcc's
- * long names (--compile) the table lists only those that stop the compiler early. Sources: the
+ * has no argument, does not concern the translator, and is passed only to the compiler. Most of
+ * gcc's long names (--compile) are not listed unless they stop the compiler early. Sources: the
  * option summaries of gcc 12 and clang 19. */
 static const option options[] = {
     {"-###", OPTION_NO_OBJECT},
@@ -303,8 +303,8 @@ static const option *find_exactly(const char *word, size_t length) {
     return NULL;
 }
 
-/* Do the sanitizers report unsigned arithmetic that wraps around? It is legal, and the inline
- * functions of the runtime's headers, which are compiled in the user's file, use it. */
+/* Do the sanitizers report unsigned arithmetic that wraps around? Such arithmetic is legal. The
+ * inline functions of the runtime's headers, which are compiled in the user's file, use it. */
 static bool reports_wrapping(const char *sanitizers) {
     return strstr(sanitizers, "=integer") || strstr(sanitizers, ",integer") ||
            strstr(sanitizers, "unsigned-");

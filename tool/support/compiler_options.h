@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The meaning of gcc's and clang's options for the translator, which gets options after `--` and
- * from compile_commands.json, and for redcc-cc, the compiler wrapper. There is one sorted table. */
+/** The meaning of gcc's and clang's options, in one sorted table. Two programs use it: the
+ * translator, which gets options after `--` and from compile_commands.json, and redcc-cc, the
+ * compiler wrapper. */
 #ifndef SUPPORT_COMPILER_OPTIONS_H
 #define SUPPORT_COMPILER_OPTIONS_H
 
@@ -31,15 +32,16 @@ enum option_meaning {
                                * program is also correct without the option */
 };
 
-/** One option; or several if the name is the beginning of a family ("-W"). */
+/** An entry of the table: one option, or the common beginning of several options ("--print-"). */
 typedef struct option {
     const char *name;
     unsigned meaning; /**< bits of enum option_meaning */
 } option;
 
-/** The entry for a word of the command line: the exact name, else the longest beginning that may
- * have text joined to it. Returns NULL if the table has none (such an option has no meaning
- * here). */
+/** Returns the entry for a word of the command line: the one with exactly this name, else the
+ * longest name that begins the word and has OPTION_JOINED. Returns NULL if there is none; such an
+ * option has no meaning here. An option -fsanitize= that reports overflow has an entry of its
+ * own. */
 const option *option_find(const char *word);
 
 /** The options to use in place of an OPTION_LIBERTY: its parts that change no bit of a result. The

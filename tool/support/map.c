@@ -19,8 +19,8 @@ struct map {
     size_t count;
 };
 
-/* FNV-1a, on words of 8 bytes as far as possible. Each step is mixed so that the low bits depend on
- * all of the key. */
+/* FNV-1a, on words of 8 bytes as far as possible. Each step is mixed so that the low bits of the
+ * hash depend on the whole key. */
 static uint64_t hash_of(const void *key, size_t length) {
     const unsigned char *bytes = key;
     uint64_t hash = 0xcbf29ce484222325u;

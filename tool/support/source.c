@@ -41,7 +41,7 @@ source *source_from_text(arena *a, const char *path, const char *text, size_t le
     return make_source(a, path, arena_copy(a, text, length), length);
 }
 
-/* Appends the stream's bytes; stops once they are too many for a source. Returns NULL or the
+/* Appends the stream's bytes. Stops when they are too many for a source. Returns NULL, or the error
  * message. */
 static const char *read_all(buffer *bytes, FILE *stream) {
     char piece[1 << 14];

@@ -27,8 +27,8 @@ typedef struct position {
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
-/** The offset after the string or character constant that begins at `from`; if
- *  unterminated, the end of its line or `to`. */
+/** Returns the offset after the string or character constant that begins at `from`. If the constant
+ *  is not terminated, returns the end of its line or `to`. */
 uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to);
 
 /** The first offset in [from, to) of something other than blanks, comments and spliced line ends;
@@ -39,8 +39,8 @@ bool source_is_word_byte(char c);
 /** May the byte be part of a name: letters, digits, `_`, and by compiler extension `$` and the
  *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
-/** The first name in text[0 .. end) that is a key of `names`, its length in *length, or NULL if
- * there is none. Comments and strings are text like any other. */
+/** Returns the first name in [text, end) that is a key of `names`, and stores its length in
+ * *length. Returns NULL if there is none. Comments and strings are text like any other. */
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 /** Does the name occur in text[0 .. length)? */
 bool source_has_name(const char *text, size_t length, const char *name);

@@ -79,8 +79,8 @@ static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t
            *ahead <= INT16_MAX;
 }
 
-/* Splits a condition that compares the counter, on either side, with a bound. False if it has
- * another form, or if the bound mentions the counter. */
+/* Splits a condition that compares the counter, on either side, with a bound. Returns false if the
+ * condition has another form, or if the bound mentions the counter. */
 static bool split_condition(const ir_node *condition, counted_loop *counted) {
     if (condition->kind != IR_BINARY || !is_comparison(condition->op))
         return false;
@@ -131,8 +131,8 @@ static bool is_address(const ir_node *node) {
     return node->type && (node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY);
 }
 
-/* Does the pointer step over objects of known size? As a counter it has addresses as values, and
- * its step is in bytes. */
+/* Does the pointer step over objects of known size? As a loop's counter, such a pointer has
+ * addresses as values, and its step is in bytes. */
 static bool is_plain_pointer(const ir_type *type) {
     const ir_type *object = type->kind == IR_POINTER ? type->target : NULL;
     return object && object->size > 0 && object->size <= INT16_MAX && object->kind != IR_VOID &&
@@ -179,8 +179,8 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
-/* May the condition be `i + c < n` with `c > 0`? It then counts like `i < n - c`: when the loop
- * ends, `i + c` equals the bound, or one more (<=), just as `i` does for `i < n`. Steps greater
+/* May the condition be `i + c < n` with `c > 0`? Such a loop counts like one with `i < n - c`: when
+ * it ends, `i + c` equals the bound, or one more (<=), just as `i` does for `i < n`. Steps greater
  * than 1 are excluded, because `i + c` might exceed the type's greatest value. */
 static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
     return loop->ahead == 0 ||
@@ -229,8 +229,8 @@ static bool split_step(const ir_node *loop, const ir_node *increment, counted_lo
            counted_split_stride(loop, increment, counted);
 }
 
-/* The part of an increment such as `i++, q += 3` that steps the variable in the condition. NULL if
- * there is none. */
+/* Returns the part of an increment such as `i++, q += 3` that steps the variable which the
+ * condition compares. NULL if there is none. */
 static const ir_node *own_increment(const ir_node *loop, const ir_node *increment,
                                     const ir_node *condition) {
     counted_loop counted = {0};

@@ -24,16 +24,16 @@ counted_result counted_recognise(ir_node *loop);
  *  counter. */
 counted_result counted_recognise_with_others(ir_node *loop);
 
-/** Recognises more loops, whose additional properties the caller must check:
+/** Recognises more loops. The caller must check their additional properties:
  *  - the bound may call functions;
  *  - the counter may be a pointer, have its address taken outside of the loop, and be stepped by
  *    the condition or the body;
- *  - the header may set a variable to the bound (bound_variable), and step others besides the
+ *  - the header may set a variable to the bound (bound_variable), and step variables other than the
  *    counter;
  *  - the step need not be constant (stride);
- *  - an unsigned counter may wrap around if its final value shows this;
+ *  - an unsigned counter may wrap around if its final value shows whether it did (counted_wraps.h);
  *  - in a do loop the first value may fail the condition, or the counter may never reach the bound.
- *    Its iterations then differ from those that counter, bound and step imply. */
+ *    The do loop's iterations then differ from those that counter, bound and step imply. */
 counted_result counted_recognise_analysed(ir_node *loop);
 
 /** Is it a step of a variable by a constant: v++, v += c, v = v + c and the like? Stores the

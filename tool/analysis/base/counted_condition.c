@@ -23,8 +23,8 @@ static bool is_before_test(const ir_node *step) {
     return step->op == IR_OP_PRE_INCREMENT || step->op == IR_OP_PRE_DECREMENT;
 }
 
-/* The comparison that, after the step, is equivalent to `comparison` before it. IR_OP_NONE if there
- * is none, or if the step leads away from the bound. */
+/* Returns the comparison of the stepped counter that is equivalent to `comparison` of the counter
+ * before the step. IR_OP_NONE if there is none, or if the step leads away from the bound. */
 static ir_operator after_step(ir_operator comparison, int64_t step) {
     if (comparison == IR_OP_NOT_EQUAL)
         return step < 0 ? IR_OP_GREATER_EQUAL : IR_OP_LESS_EQUAL;

@@ -124,8 +124,8 @@ static bool keeps_all(const ir_type *outer, const ir_type *inner) {
             outer->is_signed == inner->is_signed && outer->size >= inner->size);
 }
 
-/* The value that i gets in i = q = e: it is e if storing e in q does not change it. NULL if it
- * may. */
+/* Returns e, the value that i gets in i = q = e. Returns NULL if storing e in q may change the
+ * value. */
 static const ir_node *chained_value(const ir_node *value) {
     while (value && value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
            value->children[0]->kind == IR_VARIABLE) {

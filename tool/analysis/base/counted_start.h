@@ -6,8 +6,10 @@
 
 #include "analysis/base/facts.h"
 
-/** Fills in `lower` and the other fields that the initialisation determines; counter, bound and
- *  body must be set. Returns false if the initialisation has other effects as well. */
+/** Fills in `lower` and the other fields that the initialisation determines.
+ *  counted_split_declaration handles a declaration, counted_split_initialisation an expression or
+ *  an empty initialisation. `counter`, `bound` and `body` must be set. Both return false if the
+ *  initialisation does anything else. */
 bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
                                counted_loop *counted);
 bool counted_split_initialisation(const ir_node *loop, const ir_node *node, counted_loop *counted);

@@ -5,8 +5,9 @@
 
 #include "analysis/base/facts.h"
 
-/** Is it an integer expression of numbers and of local variables that change only by name, and not
- *  in `loop`? Then its evaluation has no effect and gives the same value in all iterations. */
+/** Is `node` an integer expression of numbers and of local variables that change only by name, and
+ *  not in `loop`? If so, its evaluation has no effect and gives the same value in all
+ *  iterations. */
 bool stride_is_steady(const ir_node *loop, const ir_node *node);
 
 /** Is the write of the form v += e, v -= e, v = v + e or the like, with a steady e
@@ -14,8 +15,9 @@ bool stride_is_steady(const ir_node *loop, const ir_node *node);
 const ir_node *stride_added(const ir_node *loop, const ir_node *write, const ir_variable *v,
                             bool *is_down);
 
-/** Fills in counter, step (1 or -1) and stride of `counted` from such an increment of an integer.
- *  Returns false if it has another form. Generated code checks that the stride is positive. */
+/** Fills in counter, step (1 or -1) and stride of `counted` from a header's increment of an integer
+ *  counter by a steady expression (stride_added). Returns false if `increment` has another form.
+ *  Generated code checks that the stride is positive. */
 bool counted_split_stride(const ir_node *loop, const ir_node *increment, counted_loop *counted);
 
 #endif

@@ -262,10 +262,10 @@ static bool constant_of(search *s, const ir_node *node, int64_t *value) {
 /* ---- branches -------------------------------------------------------------------------------- */
 
 /* May the branch change file-scope variables, or pass on their addresses? If a function of another
- * file makes the condition constant, this holds only while that definition is linked. Functions
- * with translated loops, and the functions that these call, check this at run time (imports.c). Any
- * other function may execute the branch after all, so the analysis must see its effects on these
- * variables. */
+ * file makes the condition constant, the branch is dead only while that function's definition is
+ * linked. Functions with translated loops, and the functions that these call, check this at run
+ * time (imports.c). Any other function may execute the branch after all, so the analysis must see
+ * the branch's effects on file-scope variables. */
 static bool concerns_others(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)

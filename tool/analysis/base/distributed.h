@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Exchanges a loop's body with and without the stores that a separate loop makes afterwards (loop
- *  fission; facts.h: distributed_store). */
+/** Removes from a loop's body the stores that a separate loop makes afterwards (loop fission;
+ *  facts.h: distributed_store), and puts them back. */
 #ifndef ANALYSIS_DISTRIBUTED_H
 #define ANALYSIS_DISTRIBUTED_H
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Compares C's value of an affine expression (a·counter + b) with its mathematical value. C
  *  computes `t - 1` of an unsigned t modulo 2^32; if t is 0, the mathematical value is -1. The two
- *  are equal if the type can represent the mathematical value. In an affine expression it lies
- *  between those of the first and the last iteration. An expression is called *settled* if the two
- *  are shown to be equal. */
+ *  values are equal if the type can represent the mathematical one. The mathematical value in any
+ *  iteration lies between those in the first and the last iteration. An expression is called
+ *  *settled* if the two values are shown to be equal. */
 #ifndef ANALYSIS_EXACT_H
 #define ANALYSIS_EXACT_H
 

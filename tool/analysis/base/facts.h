@@ -199,13 +199,13 @@ typedef struct loop_source {
     bool is_sometimes;    /* only some iterations read it, and in the others its address may be
                            * invalid. If possible the address is computed as a number
                            * (row_address.h); otherwise the extent is EXTENT_TOUCHED */
-    bool is_checked;      /* for EXTENT_AFFINE: between the first and the last iteration, subscripts
-                           * may wrap around, or may be out of bounds there, so both ends must be
-                           * computed with checks (exact.h) */
+    bool is_checked;      /* for EXTENT_AFFINE: subscripts may wrap around between the first and the
+                           * last iteration, or be out of bounds in one of these two, so both ends
+                           * of the extent must be computed with checks (exact.h) */
     bool is_ahead;    /* for EXTENT_TOUCHED: recorded before a condition inside of `place` decides
                        * whether it is read */
-    bool is_repeated; /* for EXTENT_TOUCHED: each iteration executes `place`, and reads the same
-                       * rows while nothing is stored */
+    bool is_repeated; /* for EXTENT_TOUCHED: each iteration executes `place`, and all iterations
+                       * read the same rows as long as the loop's updates are not applied */
     unsigned loop_count;      /* for EXTENT_TOUCHED: number of nested loops in a callee around the
                                * read; each of their iterations reads a row */
     const source_loop *loops; /* these loops, the outermost first */
@@ -267,13 +267,13 @@ typedef struct scalar_update {
     ir_operator op;           /* + - * & | or ^; for is_extremum, a comparison */
     operand_type operand;
     bool is_conditional; /* some iterations may not execute it */
-    bool is_repeated;    /* executed several times per iteration, in an inner loop. For integers,
-                          * whose operands an iteration may combine first */
-    bool is_series;      /* floating, and some update of this scalar is in an inner loop: all
-                          * operands of an iteration are stored, those of all updates of the
-                          * scalar together */
-    bool is_guarded;     /* in memory that other accesses of the loop may alias: checked before
-                          * anything is written */
+    bool is_repeated;    /* executed several times per iteration, in an inner loop. For integers
+                          * only: an iteration may combine their operands before storing them */
+    bool is_series;      /* floating, and some update of this scalar is in an inner loop: the
+                          * operands of all updates of the scalar in an iteration are stored
+                          * together */
+    bool is_guarded;     /* the scalar is in memory that other accesses of the loop may alias. They
+                          * are compared with it before anything is written */
     bool is_extremum;    /* if (e op s) s = e; with a comparison `op`. e has the type of s */
     bool is_negated;     /* for is_extremum: the form is if (!(e op s)) s = e */
     ir_variable *place;  /* for is_extremum: a variable that gets the counter's value whenever s

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Knows the functions of the C library that only compute a value. */
+/** Lists the functions of the C library that only compute a value, with their properties. */
 #ifndef ANALYSIS_LIBRARY_H
 #define ANALYSIS_LIBRARY_H
 

@@ -107,7 +107,7 @@ static bool is_beyond_evaluation(const ir_node *node) {
 
 /* ---- branches with messages ------------------------------------------------------------------ */
 
-enum { DEEPEST_MESSAGE = 4 }; /* of nested calls */
+enum { DEEPEST_MESSAGE = 4 }; /* greatest depth of nested calls that are searched */
 
 /* Does a library function of this name print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {

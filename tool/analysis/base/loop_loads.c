@@ -5,12 +5,12 @@
 
 #include "analysis/base/expression.h"
 
-enum { MOST_NAMED = 32 }; /* in one function */
+enum { MOST_NAMED = 32 }; /* greatest number of added variables in one function */
 
 /* ---- loads that qualify ---------------------------------------------------------------------- */
 
-/* The length of the type's spelling without a final `const`, which qualifies the pointer itself.
- * Members of a const record have it. */
+/* Returns the length of the type's spelling without a final `const`, which qualifies the pointer
+ * itself. Pointers that are members of a const record have such a `const`. */
 static size_t length_of_spelling(const ir_type *type) {
     static const char word[] = "*const";
     const size_t length = strlen(type->spelling), last = sizeof word - 1;

@@ -57,8 +57,9 @@ bool directive_is_ignored_openmp(const ir_unit *unit, const ir_directive *d);
  *  between. It must be compiled, or be outside of the loop's text. NULL if there is none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** For a compilation without OpenMP: does the function's text contain OpenMP directives, or the
- *  file one that would make variables thread-local? False in a compilation with OpenMP. */
+/** For a compilation without OpenMP: does the function's text contain OpenMP directives, or does
+ *  the file contain an OpenMP directive that would make variables thread-local? False in a
+ *  compilation with OpenMP. */
 bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *function);
 
 /** Does the loop's translation depend on whether OpenMP is enabled? If so, a compilation in which

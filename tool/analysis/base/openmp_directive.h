@@ -53,8 +53,8 @@ typedef struct openmp_directive {
 /** How the clause `schedule` assigns iterations to threads. */
 typedef enum openmp_schedule {
     OPENMP_NO_SCHEDULE, /* there is no such clause */
-    OPENMP_STATIC,      /* any other schedule: it determines the thread of each iteration
-                         * (`runtime` and `auto` may do so) */
+    OPENMP_STATIC,      /* any schedule except the next: the clause determines the thread of each
+                         * iteration (`runtime` and `auto` may do so) */
     OPENMP_BY_TURNS     /* dynamic or guided: each thread gets another chunk of iterations when it
                          * has finished one */
 } openmp_schedule;

@@ -72,8 +72,8 @@ bool openmp_has_devices(const ir_unit *unit);
 bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable);
 
-/** Does `schedule` determine which thread executes an iteration, and does the node call
- *  omp_get_thread_num? */
+/** Returns true if `schedule` determines which thread executes an iteration, and the node calls
+ *  omp_get_thread_num. */
 bool openmp_knows_thread(const openmp_directive *d, const ir_node *node);
 
 /** The variable called `name` in the loop's scope; NULL if there is none. */

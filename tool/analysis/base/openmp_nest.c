@@ -78,8 +78,8 @@ static bool may_be_about_nest(const ir_unit *unit, const ir_directive *d) {
            source_find_name(d->text, d->text + strlen(d->text), unit->text.macros, &length);
 }
 
-/* A name directly before the loop that is a macro which may expand to a pragma; NULL if there is
- * none. */
+/* Returns the name of a macro directly before the loop that may expand to a pragma; NULL if there
+ * is none. */
 static const char *macro_above(arena *a, const ir_unit *unit, const ir_node *loop) {
     const ir_node *parent = loop->parent;
     ir_range before = {parent->range.begin, loop->range.begin};

@@ -4,8 +4,8 @@
 #include "analysis/base/expression.h"
 
 /* The greatest factor of a counter in a subscript such as `x[3 * i + c]` into an array of vectors.
- * As with records, the range from the first to the last element also contains other elements; a
- * greater factor would include too many. */
+ * The range from the first to the last element also contains elements that are not accessed, as it
+ * does for records. With a greater factor it would contain too many. */
 enum { MOST_FLAT = 16 };
 
 static int64_t if_short(int64_t steps) {
@@ -22,8 +22,8 @@ bool row_index_keeps_steps(const ir_type *from, const ir_type *to) {
             (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
 
-/* By how much the index increases when the counter increases by 1, without wrapping around; 0 if
- * that is unknown. */
+/* Returns the amount by which the index increases, without wrapping around, when the counter
+ * increases by 1. 0 if it is unknown. */
 static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
     if (index->kind == IR_VARIABLE)
         return index->variable == counter && counter->type->size >= 4;
@@ -49,8 +49,9 @@ static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
                : 0;
 }
 
-/* The element that contains the row, such as a[i] for `a[i].f.x` or `a[i].v[2]`, which is the same
- * part of each element. The range from the first part to the last also contains other parts. */
+/* Returns the element that contains the row, such as a[i] for `a[i].f.x` or `a[i].v[2]`, if the row
+ * is the same part of each element. The range from the first of these parts to the last also
+ * contains other parts. */
 static const ir_node *element_around(const ir_node *row) {
     for (;; row = row->children[0]) {
         const bool is_member = row->kind == IR_MEMBER && !(row->flags & IR_ARROW) && row->field &&

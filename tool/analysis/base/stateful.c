@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions of C17 7.11 to 7.14, 7.21, 7.22, 7.24, 7.27 and 7.29, and POSIX functions of the same
- * kinds. A parallel loop may repeat calls of functions without side effects; if such a function
- * printed, the output would appear twice. */
+/* Tables of functions with effects other than their results: those of C17 7.11 to 7.14, 7.21, 7.22,
+ * 7.24, 7.27 and 7.29, and POSIX functions of the same kinds. A parallel loop may repeat calls of
+ * functions without such effects. If it repeated a call that prints, the output would appear
+ * twice. */
 #include "analysis/base/stateful.h"
 
 #include <stddef.h>

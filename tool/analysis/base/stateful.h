@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Knows functions of the C library that have side effects whatever the user's pragmas state. */
+/** Lists functions of the C library that have side effects, whatever the user's pragmas state. */
 #ifndef ANALYSIS_STATEFUL_H
 #define ANALYSIS_STATEFUL_H
 

@@ -16,7 +16,7 @@ static unsigned mentions(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* How often the variable is assigned or its address is taken. */
+/* Returns how often the variable is assigned or its address is taken. */
 static unsigned writes(const ir_node *node, const ir_variable *variable) {
     const ir_node *target = expression_written(node);
     unsigned count = target && target->kind == IR_VARIABLE && target->variable == variable;
@@ -53,8 +53,8 @@ const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) 
     return step;
 }
 
-/* Does the node contain such steps? Sets *has_other if a stepped variable occurs more than once in
- * `statement`. */
+/* Does the node contain steps v++ or v--? Sets *has_other if a variable that is stepped in it
+ * occurs more than once in `statement`. */
 static bool has_lone_steps(const ir_node *node, const ir_node *statement, bool *has_other) {
     bool has_step = is_step_afterwards(node);
     if (has_step)

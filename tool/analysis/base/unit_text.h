@@ -11,12 +11,12 @@ typedef struct unit_text unit_text;
 /** Creates the facts. They are allocated in the arena and refer to the unit. */
 unit_text *unit_text_new(arena *a, const ir_unit *unit);
 
-/** The text of a directive, in the file or a header, that may switch FENV_ACCESS on; NULL if there
- *  is none. */
+/** The text of a directive, in the file or a header, that may switch FENV_ACCESS on; just
+ *  "FENV_ACCESS" if a macro may expand to such a pragma. NULL if there is neither. */
 const char *unit_text_fenv_access(const unit_text *text);
 
-/** May parts of the file be compiled with other options than the compiler's macros at the file's
- *  beginning show? */
+/** May a pragma or attribute change options, such as the optimisation level, for parts of the file?
+ *  If so, the compiler's macros at the file's beginning do not describe these parts. */
 bool unit_text_has_own_options(const unit_text *text);
 
 /** Does this range of the file contain __COUNTER__? */

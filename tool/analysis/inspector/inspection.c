@@ -81,9 +81,9 @@ static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir
     return false;
 }
 
-/* Is the lvalue an array's base that need not be compared when a plan is reused? Plans are relative
- * to the base. But if another value is computed from it, as in h[s[t] + (q - h)], it must be
- * compared. */
+/* Is the lvalue the base of an array that need not be compared when a plan is reused? Plans are
+ * relative to the base. But if the loop computes another value from the base, as in h[s[t] + (q -
+ * h)], the base must be compared. */
 static bool is_array_base(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (!j->arrays.items[i].array.is_scattered &&
@@ -120,7 +120,7 @@ static bool is_written(const loop_analysis *j, const ir_node *statement, const i
     return false;
 }
 
-/* Does the row have the same address before `second` as before `first`, its place of recording?
+/* Does the row have the same address before `second` as before `first`, where the row is recorded?
  * `second` is a later statement of the same block. */
 static bool stays_until(const loop_analysis *j, const ir_node *row, const ir_node *first,
                         const ir_node *second) {
@@ -200,8 +200,8 @@ static bool add_search(loop_analysis *j, const loop_access *read) {
 
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript);
 
-/* Notes that no plan can be reused, because the read determines subscripts and its values cannot be
- * compared with the earlier ones. */
+/* Notes that no plan can be kept, because the read determines subscripts, and its values in a later
+ * execution cannot be compared with those of this one. */
 static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
     if (j->slice.is_verifiable)
         j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
@@ -233,15 +233,15 @@ static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue)
     return NULL;
 }
 
-/* The read whose address the inspector records, and which needs loads. `read` is a callee's read;
- * NULL if the row is that of an update. */
+/* A row whose address the inspector records, and depends on loads. `recorded` is the row's source.
+ * `read` is the access if a callee makes it, and NULL if the row is that of an update. */
 typedef struct recorded_loads {
     const loop_source *recorded;
     const loop_access *read;
 } recorded_loads;
 
-/* Adds a load that the callee's recorded read implies, with those of the read's loops whose
- * counters the load mentions. */
+/* Adds the load `node`, from which a callee's read gets its address. The load is executed in those
+ * loops of the callee whose counters it mentions, and in the loops around these. */
 static void add_load_in_loops(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
     loop_access load = *of->read;
     load.access.lvalue = node;
@@ -275,8 +275,8 @@ static void add_loads_below(loop_analysis *j, const ir_node *row, const recorded
     }
 }
 
-/* Adds the loads that determine the addresses in a callee. As long as a plan is kept, they must not
- * change. */
+/* Adds the loads that determine the addresses of the recorded row. While a plan is kept, their
+ * values must not change. */
 static void add_loads_of(loop_analysis *j, const loop_source *recorded, const loop_access *read) {
     const recorded_loads of = {recorded, read};
     add_loads_below(j, recorded->row, &of);

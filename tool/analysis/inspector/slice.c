@@ -109,11 +109,11 @@ static bool is_declared_in(const slicer *s, const ir_variable *variable, const i
     return variable->storage == IR_LOCAL && declarator && ir_contains(node, declarator);
 }
 
-/* Keeps the control structure around a kept node, up to the loop's body. Some conditions do not
- * affect the value of the variable `of` where it is needed. These are conditions around the block
- * that declares it, or around a loop over constants that sets it wherever it is named. The node
- * that needs the value is also inside that block or loop. Either its own conditions are kept, or it
- * is safe without them. */
+/* Keeps the control structure around a kept node, up to the loop's body. `of` is the variable whose
+ * value needs the node, or NULL. Two kinds of `if` do not affect this value and are left out: an
+ * `if` around the block that declares `of`, and any `if` when `of` is named only in loops over
+ * constants that count it. The node that needs the value is inside the same block or loop. The
+ * conditions around that node are kept, or it is safe without them. */
 static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
     for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
         if (outer->kind != IR_IF || !of ||

@@ -24,8 +24,8 @@ typedef struct dependence {
                       * counter */
 } dependence;
 
-/* Accepts loops in any counted form. Other variables that the header steps do not make a loop
- * longer. */
+/* Accepts loops of any form that counted_recognise_analysed recognises. Variables other than the
+ * counter may be stepped in the header, because they do not affect the number of iterations. */
 bool candidate_is_tiny(const ir_node *loop) {
     enum { TINY = 16 };
     const counted_result counted = counted_recognise_analysed((ir_node *)loop);
@@ -39,8 +39,8 @@ bool candidate_is_tiny(const ir_node *loop) {
     return distance <= TINY;
 }
 
-/* Does the function consist of a few statements, without loops, and call only functions like itself
- * or the C library? */
+/* Does the function consist of a few statements without loops, and call only the C library and
+ * functions for which is_straight is true as well? */
 static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth);
 
 static bool calls_straight(const ir_unit *unit, const ir_node *callee, unsigned depth) {
@@ -59,7 +59,7 @@ static bool has_few_statements(const ir_unit *unit, const ir_node *node, unsigne
 }
 
 static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth) {
-    enum { DEEPEST = 3 }; /* also ends recursion */
+    enum { DEEPEST = 3 }; /* greatest depth of calls; also ends recursion */
     return function->body && depth < DEEPEST && has_few_statements(unit, function->body, depth + 1);
 }
 
@@ -143,8 +143,9 @@ static bool argument_depends(const dependence *d, const ir_node *argument) {
     }
 }
 
-/* Does it depend on the counter which elements the call may update? For add(&h[k], v) it does if an
- * address depends on the counter; for add_at(h, k, v), if an integer does. */
+/* Do the elements that the call may update depend on the counter? For add(&h[k], v) they do if an
+ * address in the arguments depends on the counter. For add_at(h, k, v) they do if an integer in the
+ * arguments does. */
 static bool call_depends(const dependence *d, const ir_node *call) {
     bool has_address = false, is_of_array = true, is_elsewhere = false, has_subscript = false;
     for (unsigned i = 1; i < call->child_count; i++) {

@@ -52,9 +52,9 @@ static const ir_node *without_casts(const ir_node *node) {
 
 /* ---- pointers ------------------------------------------------------------------------------- */
 
-/* The pointer p with which an address begins, as in p[k], *p, *(p + k) or p->m. NULL if the address
- * begins with a variable or an array. *has_subscript says that other elements than the first may be
- * reached. */
+/* Returns the pointer p with which an address begins, as in p[k], *p, *(p + k) or p->m. Returns
+ * NULL if the address begins with a variable or an array. *has_subscript is set to whether p may be
+ * used to reach other elements than the first. */
 static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     const ir_node *child = node->child_count ? without_casts(node->children[0]) : NULL;
     *has_subscript = false;
@@ -254,8 +254,9 @@ static bool has_address(const ir_node *node) {
     return ir_is_pointer(node) || ir_is_array(node);
 }
 
-/* The terms of the address. Subscripts are examined one by one: if one of them has an independent
- * value, the others select elements inside a row. */
+/* Returns the terms of the address. Subscripts are examined one by one, the last one first. If a
+ * subscript differs between iterations and the inner loops' counters are in other subscripts only,
+ * iterations have separate rows (has_row). */
 static terms terms_of(query *q, const ir_node *lvalue) {
     terms all = {0};
     const ir_node *node = without_casts(lvalue);

@@ -210,8 +210,8 @@ static bool file_reads_errno(const ir_unit *unit) {
     return false;
 }
 
-/* Refuses updates by an operator of an element that iterations share if the update's value is
- * used. */
+/* Refuses the loop if it uses the value of an update by an operator, and the updated element is one
+ * that iterations share. */
 static reason check_values(const loop_analysis *j, const access_list *found) {
     for (unsigned i = 0; i < found->items.count; i++) {
         const access *a = &found->items.items[i];
@@ -242,9 +242,10 @@ static reason check_lower(const loop_analysis *j) {
     return first_problem(j, &list);
 }
 
-/* Checks the bound. Generated code computes it once, the sequential loop before each iteration. It
- * may therefore only call functions that write nothing and whose results are repeatable. Whether
- * the memory that it reads changes is checked like all reads of the loop. */
+/* Checks the bound. Generated code computes the bound once, but the sequential loop computes it
+ * before each iteration. The bound may therefore call only functions that write nothing and whose
+ * results are repeatable. Memory that the bound reads is checked for changes like all reads of the
+ * loop. */
 static reason check_bound(const loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->counted.bound, &list);

@@ -5,8 +5,9 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** check_text finds reasons in the loop's text, check_jumps jumps by which control leaves or enters
- *  the loop. The result's id is REASON_NONE if there is no reason. */
+/** check_text finds a reason in the loop's text for which the loop is refused. check_jumps does the
+ *  same for jumps by which control leaves or enters the loop. The result's id is REASON_NONE if
+ *  there is no reason. */
 reason check_text(const loop_analysis *j);
 reason check_jumps(const loop_analysis *j);
 

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A variable may replace the element under these conditions:
- * - Its subscript has a different value in each iteration, and nothing else in its address changes.
- *   Then no two iterations share an element, and its address may be computed at any time.
- * - Either each iteration reads it before storing to it. Reading it at the beginning then does
- *   nothing that the program would not do. The element also has this type before the loop, and
- *   since the loop stores late, other iterations cannot read it as another type (C17 6.5p7). Or
- *   each iteration stores to it before reading it. Then nothing is read at the beginning, and types
- *   prove only that declared objects are disjoint (6.5p6).
- * - All other memory that the loop reads is disjoint from it, by proof or by a comparison before
- *   anything is written. Everything else that the loop writes is an update, with which all reads
- *   are compared. So no iteration can observe that the store happens later.
+/* A variable may replace an array element that the loop stores to (own.h) under these conditions:
+ * - The element's subscript has a different value in each iteration, and nothing else in its
+ *   address changes. Then no two iterations share an element, and its address may be computed at
+ *   any time.
+ * - Either each iteration reads the element before storing to it. Reading it at the beginning then
+ *   does nothing that the program would not do. The element also has the read's type before the
+ *   loop, and since the loop stores late, other iterations cannot read it as another type (C17
+ *   6.5p7). Or each iteration stores to the element before reading it. Then nothing is read at the
+ *   beginning, and types prove only that declared objects are disjoint (6.5p6).
+ * - All other memory that the loop reads is disjoint from the element, by proof or by a comparison
+ *   before anything is written. Everything else that the loop writes is an update, with which all
+ *   reads are compared. So no iteration can observe that the store happens later.
  * - The loop's text names the element only by this expression, and never takes its address. */
 #include "analysis/loop/own.h"
 
@@ -83,7 +84,7 @@ static bool is_of(const loop_access *a, const ir_node *element) {
            a->access.lvalue == a->access.node && expression_same(a->access.lvalue, element);
 }
 
-/* Which access to the element each iteration certainly makes first. */
+/* The access to the element that each iteration certainly makes first. */
 typedef enum first_use { FIRST_UNKNOWN, FIRST_READ, FIRST_STORED } first_use;
 
 static first_use first_use_of(const loop_analysis *j, const ir_node *element) {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Finds own elements: array elements that only one iteration touches, and that it reads and stores
- *  to:
+/** Finds own elements: array elements that one iteration stores to and no other iteration touches:
  *
  *      if (member[t] != c) changes++;
  *      member[t] = c;

@@ -159,8 +159,8 @@ static bool is_in_loop(const loop_analysis *j, const ir_node *node) {
     return node->id > j->loop->id && node->id <= expression_last_id(j->loop);
 }
 
-/* Is the variable's value used by a statement of the slice other than the span's increment, or by a
- * recorded row? */
+/* Is the variable's value used by a recorded row, or by a part of the slice other than the span's
+ * increment? */
 static bool is_read_in_slice(const loop_analysis *j, const loop_span *span,
                              const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);

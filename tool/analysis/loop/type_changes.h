@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Computes the overlap of accesses whose order matters, also if one of them changes the type of
- *  the memory. */
+/** Decides whether two accesses whose order matters may overlap, also if one of them changes the
+ *  type of the memory. */
 #ifndef ANALYSIS_TYPE_CHANGES_H
 #define ANALYSIS_TYPE_CHANGES_H
 

@@ -62,8 +62,8 @@ static void add_lvalue(access_walk *w, access_kind kind, const ir_node *lvalue, 
                            .form = form});
 }
 
-/* Adds the accesses that computing an lvalue's address makes, to the pointers and subscripts in
- * it. */
+/* Adds the accesses to pointers and subscripts that are made when an lvalue's address is
+ * computed. */
 static void walk_address(access_walk *w, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -99,8 +99,8 @@ static void walk_address(access_walk *w, const ir_node *node) {
     }
 }
 
-/* Adds the accesses that reading a value makes, except those of `skip`, which is the target's
- * occurrence in R = R + e. */
+/* Adds the accesses that are made when the value of `node` is read, except those of `skip`. In R =
+ * R + e, `skip` is the R on the right. */
 static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *skip) {
     if (node == skip)
         return;

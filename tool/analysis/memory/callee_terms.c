@@ -11,8 +11,8 @@
 
 /* ---- lvalues --------------------------------------------------------------------------------- */
 
-/* For a[k] with a pointer a and k in [0, high]: the array *(T (*)[high + 1])a. NULL if C cannot
- * spell it. */
+/* For a[k], with a pointer a and k in [0, high], returns the array *(T (*)[high + 1])a. NULL if C
+ * cannot spell the array's type. */
 static ir_node *widened(callee_rewriting *r, const ir_node *lvalue, int64_t high) {
     arena *a = r->terms->memory;
     const ir_type *element = lvalue->type;
@@ -84,9 +84,9 @@ static const ir_node *search_element(callee_rewriting *r) {
 
 typedef VECTOR(source_loop) loop_list;
 
-/* Adds those loops of this function on which the rewritten row depends, or whose trip count decides
- * whether it is read at all; the outermost first. Returns false if the bounds of one are not
- * certain to be evaluated. */
+/* Adds the loops of this function on which the rewritten row depends, or that decide by their trip
+ * count whether the row is read at all. The outermost is added first. Returns false if one of their
+ * bounds is not certain to be evaluated. */
 static bool add_own_loops(callee_rewriting *r, loop_list *list) {
     source_loop found[CALLEE_MOST_LOOPS];
     unsigned count = 0;
@@ -124,8 +124,9 @@ static void add_callee_loops(callee_rewriting *r, loop_list *list) {
     }
 }
 
-/* Can the rows of the loops be recorded? A loop that may end early must be the innermost and access
- * consecutive elements. These are recorded as one range; the function reads its beginning. */
+/* Can the rows that the loops access be recorded? A loop that may end early must be the innermost
+ * and access consecutive elements. The elements of all its iterations are recorded as one range,
+ * although the function may read only the first ones. */
 static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&
@@ -134,8 +135,8 @@ static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     return true;
 }
 
-/* Stores in *result the access with the loops around it; returns false if they are unknown. An
- * element that is not read in every iteration is recorded too, if all expressions in it are
+/* Stores in *result the access with the loops around it. Returns false if they are unknown. An
+ * element that is not read in every iteration is recorded too, if all expressions in its lvalue are
  * evaluated anyway. */
 static bool access_with_loops(const callee_terms *terms, const access *item, bool follows_changes,
                               access *result) {

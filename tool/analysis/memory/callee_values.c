@@ -9,9 +9,8 @@
 enum {
     MOST_DEPTH = 8,
     MOST_NODES = 200
-}; /* greatest depth of nested replacements of variables
-    * by values, and greatest number of nodes in a
-    * result */
+}; /* greatest depth of nested replacements of variables by values, and greatest number of nodes in
+    * a result */
 
 static ir_node *unknown_part(callee_rewriting *r, const ir_node *node) {
     ir_node *unknown = ir_new(r->terms->memory, IR_OPAQUE, node->type, 0);
@@ -90,7 +89,9 @@ static void note_load(callee_rewriting *r, const ir_node *load) {
         return;
     if (is_of_text(r, load))
         r->loads_are_certain &= is_certain_load(r, load);
-    else /* a called function loads it, whenever it is called or in its loops */
+    else /* The load is in a function that this function calls. It is certain if the call is
+          * certain, and the load is in loops recorded for the access or is unconditional in the
+          * called function. */
         r->loads_are_certain &= callee_loops_is_certain(r->loops, r->item->node) &&
                                 (r->item->loop_count || !r->item->is_conditional);
 }

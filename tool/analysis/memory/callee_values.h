@@ -15,10 +15,11 @@ typedef struct callee_rewriting {
     const ir_node *site; /* the place of evaluation in the function's text; NULL if the value may
                           * be that of another iteration */
     bool is_exact;
-    bool loads_stay;        /* memory that is read here is not written while the caller's loop
-                             * runs */
-    bool has_load;          /* an address depends on a load */
-    bool loads_are_certain; /* all these loads happen whenever the function is called */
+    bool loads_stay;        /* memory that the rewritten expressions load is not written while the
+                             * caller's loop runs */
+    bool has_load;          /* the address depends on a load */
+    bool loads_are_certain; /* whenever the function is called, all loads in the rewritten
+                             * expressions happen */
     bool follows_changes;   /* variables that are set several times are replaced by their values
                              * too */
     unsigned depth, nodes;

@@ -142,8 +142,8 @@ static bool is_pure(const effects *all, const ir_function *function) {
     return function->is_attribute_pure || external_kind(all->options, function) == EXPORTED_PURE;
 }
 
-/* Does the function only read the targets of its arguments, according to the user or to the
- * analysis of another file? */
+/* Is the function presumed, by the user or by the analysis of another file, to have no effects and
+ * to read only the targets of its arguments? */
 static bool is_presumed_pure(const effects *all, const ir_function *function) {
     if (external_kind(all->options, function) == EXPORTED_ARGUMENTS)
         return true;

@@ -52,8 +52,8 @@ static known_value *known_of(bounding *b, const ir_variable *variable) {
     return NULL;
 }
 
-/* Known facts about a variable used in the current expression. The expression then depends on the
- * same conditions. */
+/* Returns the known facts about a variable that occurs in the current expression. Adds the
+ * conditions on which these facts depend to those of the expression (`needs`). */
 static known_value used(bounding *b, const ir_variable *variable) {
     const known_value *known = known_of(b, variable);
     b->needs |= known ? known->needs : 0;
@@ -177,8 +177,8 @@ static bool is_never_below_zero(const value_bounds *bounds) {
 
 static known_value value_of(bounding *b, const ir_node *node);
 
-/* The bounds after a conversion: unchanged if `to` can represent all values of `from`, otherwise
- * unknown. */
+/* Returns the bounds after a conversion: the same bounds if `to` can represent all values of
+ * `from`; otherwise unknown bounds. */
 static value_bounds converted(value_bounds bounds, const ir_type *from, const ir_type *to) {
     return from && ir_type_is_plain_integer(from) && from->is_signed &&
                    ir_type_is_plain_integer(to) && to->is_signed && to->size >= from->size
@@ -200,9 +200,10 @@ static bool is_never_negative(bounding *b, const ir_node *node);
 
 static value_bounds integer_of(bounding *b, const ir_node *node);
 
-/* Bounds of the integer to which a value is converted. A floating value outside of the type's range
- * may become any integer (C17 F.4). In a type of less than 4 bytes each of these might be a valid
- * subscript, so nothing is known then. */
+/* Returns the bounds of the integer to which a value is converted. A floating value outside of the
+ * type's range may become any integer (C17 F.4). In a type of less than 4 bytes, any such integer
+ * might be a valid subscript, so nothing is known about a floating value converted to such a
+ * type. */
 static value_bounds integer_set(bounding *b, const ir_node *value, const ir_type *type) {
     if (value->type && value->type->kind == IR_FLOATING)
         return type->size >= 4 && is_never_negative(b, value) ? (value_bounds){.low_count = 1}
@@ -378,8 +379,8 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
     learn(b, variable, known);
 }
 
-/* Notes that the condition is true, or false if `holds` is false. If a comparison of floating
- * values is false, one of them may be a NaN, which has_least permits. */
+/* Notes that the condition is true or, if `holds` is false, that it is false. If a comparison of
+ * floating values is false, one of them may be a NaN, which has_least permits. */
 static void suppose(bounding *b, const ir_node *condition, bool holds) {
     if (condition->kind != IR_BINARY || !expression_is_plain(condition))
         return;

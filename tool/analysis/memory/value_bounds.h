@@ -6,10 +6,10 @@
  *      int i = (int)floor((r - table->x0) * table->inverse);
  *      if (i > table->n) i = table->n;
  *
- *  After these statements i is between 0 and n if the inverse is not negative. The difference
- *  `r - x0` is not negative if `r` is not below `x0`, in any rounding mode. Sums, products, square
- *  roots and integer parts of such values are not negative either. The conversion of a NaN, or of a
- *  value that is too large for an integer, is undefined (C17 6.3.1.4).
+ *  After these statements i is between 0 and n if table->inverse is not negative. In any rounding
+ *  mode, the difference `r - x0` is not negative if `r` is not below `x0`. Sums, products, square
+ *  roots and integer parts of values that are not negative are not negative either. The conversion
+ *  of a NaN, or of a value that is too large for an integer, is undefined (C17 6.3.1.4).
  *
  *  The statements before the place are executed on intervals (abstract interpretation). For an
  *  `if`, the results of both branches are joined. A variable that a loop, a switch or a compound
@@ -22,7 +22,7 @@
 
 enum { BOUNDS_MOST_ENDS = 4 };
 
-/** The value is at least the minimum of the terms in `low` and at most the maximum of those in
+/** The value is at least the minimum of the terms in `low`, and at most the maximum of the terms in
  *  `high`. */
 typedef struct value_bounds {
     unsigned low_count, high_count; /* 0 if the bound is unknown */

@@ -44,8 +44,8 @@ static bool is_step(const ir_node *write) {
            (write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT));
 }
 
-/* Notes an operand of inline assembly and the like as written, because it may be an output. The
- * lengths of variable-length arrays are only read. */
+/* Notes an operand of inline assembly or another opaque node as written, because it may be an
+ * output. The lengths of variable-length arrays are only read. */
 static void note_hidden_write(variable_facts *all, const ir_node *node, const ir_node *operand) {
     const ir_variable *variable = expression_object(operand);
     if (!variable || ir_is_statement_expression(node) || ir_is_lengths(node))
@@ -276,8 +276,8 @@ static bool holder_escapes(variable_facts *all, const ir_variable *holder, unsig
     return false;
 }
 
-/* Does a use of this lvalue, which is inside the object, store its address? Reading or writing it
- * does not, unless it is an array that decays. */
+/* Does a use of this lvalue, which is inside the object, store the object's address? Reading or
+ * writing the lvalue does not, unless the lvalue is an array that decays. */
 static bool lvalue_escapes(variable_facts *all, const ir_node *node, unsigned depth) {
     const ir_node *parent = node->parent;
     bool is_array = node->type && node->type->kind == IR_ARRAY;

@@ -48,8 +48,8 @@ bool variable_escapes(variable_facts *facts, const ir_variable *variable);
 bool variable_is_exposed(variable_facts *facts, const ir_variable *variable);
 
 /** Does `node`, or a node below it, assign the variable, take its address by &, or pass an array in
- *  it to a function? If its address escapes (variable_escapes), the variable may also change in
- *  other ways. */
+ *  it to a function? If the variable's address escapes (variable_escapes), the variable may also
+ *  change in other ways. */
 bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable);
 /** Same as variable_written_in, but a call that receives &v and only reads through it, according to
  *  the callee's body, does not count. */
@@ -74,9 +74,9 @@ const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *var
  *  NULL if it is no such pointer. */
 const ir_node *variable_walked_array(variable_facts *facts, const ir_variable *pointer);
 
-/** Is it a restrict pointer whose value is used only for accesses through it and for calls of
- *  functions that do not store it? If so, no other pointer reaches memory that is accessed through
- *  it, if that memory is written. */
+/** Is it a restrict pointer whose value is used only for accesses through it, and for calls of
+ *  functions that do not store it? If so, memory that is accessed through it and written is reached
+ *  through no other pointer. */
 bool variable_is_restricted(variable_facts *facts, const ir_variable *variable);
 
 #endif

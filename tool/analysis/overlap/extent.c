@@ -106,9 +106,9 @@ static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
-/* The row itself, or for a bit-field, which has no address, the enclosing object. NULL for a
- * bit-field that is reached by ->, and also if `of_contents` is set, because the object contains
- * bytes that are not read. */
+/* Returns the row itself or, for a bit-field, which has no address, the enclosing object. Returns
+ * NULL for a bit-field that is reached by ->. Also returns NULL for a bit-field if `of_contents` is
+ * set, because the object contains bytes that are not read. */
 static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
     if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
         return row;
@@ -139,10 +139,10 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
     return false;
 }
 
-/* Plans a row that is monotonic in the counter, by its ends. In iterations that do not read it, the
- * subscript may have any value, as in `x[t - 1]` where t is 0. If that is likely, and no condition
- * on the counter excludes these iterations, returns false if the inspector can record the reads
- * instead (`can_be_recorded`). */
+/* Plans a row that is monotonic in the counter, by its ends. In iterations that do not read the
+ * row, the subscript may have any value, as in `x[t - 1]` where t is 0. If that is likely, no
+ * condition on the counter excludes these iterations, and the inspector can record the reads
+ * instead (`can_be_recorded`), returns false. */
 static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
@@ -220,8 +220,8 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
-/* Does the row consist of n elements behind a pointer, *(T (*)[n])p (callee_terms.c), and may an
- * execution read fewer? The object may end after those that it reads. */
+/* Does the row consist of n elements behind a pointer, *(T (*)[n])p (callee_terms.c), of which an
+ * execution may read fewer than n? The object may end after the elements that are read. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;
@@ -308,8 +308,8 @@ static bool is_counter_and_constant(const ir_node *subscript) {
     return subscript->kind == IR_VARIABLE;
 }
 
-/* The bounds of rows if inner loops over constants read them all in each iteration:
- * `for (c = 0; c < 24; c++) ... centre[c][k]`. NULL if it is another read. */
+/* Returns the bounds of rows if inner loops over constants read all of them in each iteration, as
+ * in `for (c = 0; c < 24; c++) ... centre[c][k]`. NULL if the read has another form. */
 static const element_bounds *constant_bounds(const loop_analysis *j, const loop_access *read,
                                              const ir_node *row) {
     bound_term low = {0}, high = {0};
@@ -355,8 +355,9 @@ source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool
     return bounded.is_possible ? bounded : touched;
 }
 
-/* The variable in a statement `k = find(...);` of a block. *after becomes the next statement, at
- * which the variable has the result. NULL if the call occurs in another form. */
+/* Returns the variable k if the call is the value in a statement `k = find(...);` of a block. Sets
+ * *after to the next statement, at which the variable has the result. NULL if the call occurs in
+ * another form. */
 static const ir_node *result_variable(const ir_node *call, const ir_node **after) {
     const ir_node *assignment = call->parent;
     const ir_node *statement = assignment ? assignment->parent : NULL;

@@ -9,8 +9,8 @@ enum { ROW_MOST_TERMS = 8 };
 
 typedef struct row_term {
     const ir_node *subscript; /* of an integer type */
-    int64_t bytes;            /* by how many bytes the address changes if the subscript increases
-                               * by 1; negative for p - subscript */
+    int64_t bytes;            /* number of bytes by which the address changes if the subscript
+                               * increases by 1; negative for p - subscript */
 } row_term;
 
 typedef struct row_address {

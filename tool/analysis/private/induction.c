@@ -40,8 +40,8 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
             !(declarator && ir_contains(j->loop, declarator)));
 }
 
-/* Checks a step by an inner loop. Either all steps of a variable are made by iterations of the
- * analysed loop, or all by those of the same inner loop. */
+/* Checks a step by an inner loop. All steps of a variable must be made by iterations of one loop,
+ * which is either the analysed loop or an inner one. */
 static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool is_first,
                              private_variable *item) {
     triangle inner;
@@ -107,8 +107,9 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
     return true;
 }
 
-/* Does the next iteration not use the value that the variable has at the end of this one? A
- * stepped variable begins each iteration with a computed value. */
+/* Does the next iteration ignore the value that the variable has at the end of this one? It does if
+ * the variable is stepped, because a stepped variable begins each iteration with a computed
+ * value. */
 static bool is_unused_at_end(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     private_variable item = {.variable = (ir_variable *)variable};

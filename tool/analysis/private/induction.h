@@ -6,10 +6,10 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Does the loop only step the variable, by `v++`, `v += c` and the like? Each step must be made
- *  exactly once in an iteration, in the body or the header, or all steps must be made by one inner
- *  loop (triangle.h). If so, adds the variable to the privates and returns true. Otherwise changes
- *  nothing. */
+/** Does the loop only step the variable, by `v++`, `v += c` and the like? Either each step must be
+ *  made exactly once in each iteration, in the body or the header, or one inner loop must make all
+ *  steps (triangle.h). If so, adds the variable to the privates and returns true. Otherwise changes
+ *  nothing and returns false. */
 bool induction_take(loop_analysis *own, const ir_variable *variable);
 
 /** Is the step, `v++` in `statement`, the last use of v in the iteration, so that the iteration may

@@ -79,8 +79,8 @@ static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     return !variable->address_taken && variable->storage != IR_THREAD_LOCAL;
 }
 
-/* Does the loop write a thread-local scalar, or take its address? In another thread, the name
- * denotes another object. */
+/* Does the loop write a thread-local scalar, or take its address? In another thread, the variable's
+ * name denotes another object. */
 static bool takes_thread_local_address(const loop_analysis *j, const ir_variable *variable) {
     return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&
            variable_written_in(j->an->facts, j->loop, variable);

@@ -8,13 +8,13 @@
 typedef struct private_check {
     reason why;
     private_list privates;  /* includes how each gets its last value */
-    variable_list captured; /* variables declared outside that the loop only reads, in the order
-                             * of use */
+    variable_list captured; /* scalars and structs declared outside the loop, which it only reads
+                             * and threads may copy; in order of first use */
     bool counter_is_live_after;
 } private_check;
 
-/** Decides how private variables get their last values. Also lists the other variables that the
- *  loop reads. */
+/** Decides how private variables get their last values, and lists the variables that the loop only
+ *  reads. In `privates`, sets what this decides for each variable. */
 private_check check_privates(const loop_analysis *j);
 
 #endif

@@ -2,16 +2,16 @@
 /* A store t[i + c] = v or t[i + c] op= v may be made after all iterations under these conditions:
  * - it is in the body's outermost block, or in a branch there whose condition uses only the
  *   counter, the element and invariants;
- * - each iteration reaches it: there is no `continue` (a `break` refuses the loop anyway);
+ * - each iteration reaches it: there is no `continue` (a loop with `break` is refused anyway);
  * - its subscript has a different value in each iteration, and the counter is the only operand of
  *   the subscript, t and v that changes. The stores made after the loop then store the same values
  *   in the same order;
- * - all other reads that may be of the element have the form t[i + c] too and precede the store in
- *   the same iteration, so they find the same value;
- * - one of these reads is made in each iteration. The extent that is compared with each array at
- *   run time then contains all stored elements, so no update changes them. Each element also has
- *   t's type when the store is made: since the loop makes no store before, reading it as another
- *   type in any iteration is undefined (C17 6.5p7). */
+ * - any other read in the loop that may touch a stored element reads t[i + c] itself, earlier in
+ *   the same iteration, so it still finds the old value;
+ * - at least one such read is made in every iteration. So the extent that the guard compares with
+ *   each reduction array contains all stored elements, and no update changes a stored element. Each
+ *   element also has t's type when the deferred store is made: the loop no longer stores to
+ *   it, so reading it as another type would be undefined (C17 6.5p7). */
 #include "analysis/reduction/distribution.h"
 
 #include "analysis/base/expression.h"

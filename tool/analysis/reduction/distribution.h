@@ -11,8 +11,8 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** The stores of a loop that have this form, without a proof that they may be made later. NULL if
- *  there are none. */
+/** The loop's stores of this form. Does not prove that they may be made later. NULL if there are
+ *  none. */
 const distribution *distribution_find(const loop_analysis *j);
 
 /** The reason for which the stores in j->left_out.distribution, which have been removed from the

@@ -27,8 +27,8 @@ static const ir_node *compared_with(const ir_node *condition, const ir_node *tar
     return is_left ? right : left;
 }
 
-/* Classifies an update that gives the target the value `stored` if the condition is true, and
- * otherwise `kept`. */
+/* Classifies an update that sets the target to `stored` if the condition is true, and to `kept`
+ * otherwise. */
 static extremum selection(const ir_node *condition, const ir_node *target, const ir_node *stored,
                           const ir_node *kept) {
     bool target_is_less;

@@ -11,9 +11,9 @@ typedef struct extremum {
     bool has_operator;     /* the value that is compared is also the one that is stored, and `op`
                             * is set */
     reduction_operator op; /* REDUCTION_MINIMUM or REDUCTION_MAXIMUM */
-    bool commutes;         /* the order of the updates does not matter: both are integers of the
-                            * same type. For floating values it does matter, because of NaNs and
-                            * the sign of zero */
+    bool commutes;         /* the order of the updates does not matter, because R and v are integers
+                            * of the same type. For floating values the order does matter, because
+                            * of NaNs and the sign of zero */
 } extremum;
 
 /** Recognises an IR_IF or IR_ASSIGN. For any other node, the result's target is NULL. */

@@ -36,8 +36,8 @@ static bool reduces_scalar(const search *s, const openmp_item *item) {
     return variable && variable->type->kind != IR_ARRAY;
 }
 
-/* The number of compiled OpenMP directives above the loop; *last becomes the last of them. Sets
- * *unread if a macro produces one of them. */
+/* Returns the number of compiled OpenMP directives above the loop, and sets *last to the last of
+ * them. Sets *unread if a macro produces one of them. */
 static unsigned directives_above(const search *s, const ir_directive **last, bool *unread) {
     const ir_unit *unit = s->an->unit;
     unsigned count = 0;
@@ -75,8 +75,9 @@ static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks)
         refuse(s, "'%s' is reduced, which is no plain number", item->text);
     else if (item->kind == OPENMP_OTHER_CLAUSE)
         refuse(s, "the clause '%s'", item->text);
-    else if (strcmp(item->word, "allocate") == 0) /* the clause names copies, which no clause
-                                                   * would then create */
+    else if (strcmp(item->word, "allocate") == 0) /* the clause names private copies, which no other
+                                                   * clause of the generated directive would
+                                                   * create */
         refuse(s, "the clause 'allocate(%s)'", item->text);
     else if (item->kind == OPENMP_SCHEDULE)
         blocks->is_balanced = strstr(item->text, "static") != NULL;

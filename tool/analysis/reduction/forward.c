@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A read may use the stored value if
+/* After a store to an element, a read may use the stored value if
  * - it comes after the store in the store's block, so the store was executed before it in this
  *   iteration;
  * - it is the same expression as the store's target, and no operand changes in between;
  * - no other write between the store and the read can change the element. This must be proved: a
  *   guard, which compares reads with each array, would always fail for the array stored to;
  * - it is in the loop's text, so that a variable's name can replace it.
- * If other expressions certainly read the same memory, the loop is refused; if they may read it,
- * they are guarded. */
+ *
+ * If other expressions certainly read the element, the loop is refused. If they may read it, they
+ * are guarded. */
 #include "analysis/reduction/forward.h"
 
 #include "analysis/base/expression.h"
@@ -137,8 +138,9 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
     return false;
 }
 
-/* False if another access certainly touches the element, or if another write may change it between
- * the store and a read that uses the stored value. The store itself and such reads do not count. */
+/* Returns false if another access certainly touches the element, or if another write may change it
+ * between the store and a read that uses the stored value. Reads that use the stored value do not
+ * count as other accesses. */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
@@ -152,8 +154,8 @@ static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_
     return true;
 }
 
-/* Is every occurrence of the element in the loop a known read of its value, and none a use of its
- * address? */
+/* Is every occurrence of the element in the loop a known read that may use the stored value? False
+ * if the element's address is used. */
 static bool is_read_everywhere(const loop_analysis *j, const ir_node *statement,
                                const ir_node *target, const ir_node *node) {
     if (node != target && expression_same(node, target)) {

@@ -3,8 +3,8 @@
  *
  *      o[t] = e; h[o[t]] += w[t];
  *
- *  Such a read can use a variable that has the value. It must do so: when the inspector runs, the
- *  element has not been written yet, and in the executor another thread may write it. */
+ *  The read uses a variable that has the stored value. It must not use memory: when the inspector
+ *  runs, the element has not been written yet, and in the executor another thread may write it. */
 #ifndef ANALYSIS_FORWARD_H
 #define ANALYSIS_FORWARD_H
 

@@ -49,8 +49,8 @@ static bool is_narrow_floating(const ir_type *type) {
     return type->kind == IR_FLOATING && (type->size == 4 || type->size == 8);
 }
 
-/* Sets the type of the operation, to which the operand is converted. Returns false if it has no
- * operand_type. Of integers only the value modulo 2^64 matters. */
+/* Sets `operand`, the type of the operation, to which the value is converted. Returns false if no
+ * operand_type represents that type. For integers, only the value modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
@@ -211,8 +211,8 @@ static const char *name_of(const loop_analysis *j, const scalar_update *update) 
     return expression_text(j->an->memory, update->target);
 }
 
-/* Can updates by these operators be exchanged? Additions and subtractions can; any other operator
- * only with itself. */
+/* Can updates by these operators be exchanged? Additions and subtractions can be exchanged with
+ * each other; updates by any other operator only with updates by the same operator. */
 static bool commute(ir_operator a, ir_operator b) {
     const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
     return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
@@ -236,8 +236,8 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
     return (reason){0};
 }
 
-/* Checks that only its updates name this member, element or pointer's target. scalar_target_overlap
- * has already compared it with other expressions. */
+/* Checks that the scalar, which is a member, an element or a pointer's target, is named only by its
+ * updates. scalar_target_overlap has already compared it with other expressions. */
 static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -248,8 +248,9 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* Checks that only its updates access the variable, and for the `place` of an extremum, only this
- * update. If the scalar is guarded, possible aliases are compared at run time (sources.c). */
+/* Checks that the variable is accessed only by updates of its scalar. If it is the `place` of an
+ * extremum, only this update may access it. If the scalar is guarded, possible aliases are compared
+ * at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

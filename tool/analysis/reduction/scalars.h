@@ -6,8 +6,9 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Accepts the write as an update of a scalar. Its operands are stored in each iteration and
- *  applied in order after the loop. Returns false, without a change, if it is no such update. */
+/** Accepts the write as an update of a scalar, whose operands are then stored in each iteration and
+ *  applied in order after the loop. Returns false and changes nothing if the write is no update of
+ *  a scalar. */
 bool scalar_take_update(loop_analysis *j, loop_access *write);
 
 /** Checks, once all writes are classified, that each scalar is accessed only by its updates, and

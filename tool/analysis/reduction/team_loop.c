@@ -34,8 +34,8 @@ static const ir_directive *directive_above(const ir_unit *unit, const ir_node *s
     return last;
 }
 
-/* Finds the innermost `parallel` around the loop. Clears is_outermost if another directive encloses
- * that region. */
+/* Finds the innermost `parallel` around the loop. Clears is_outermost if there is another directive
+ * around that `parallel`. */
 static void find_region(team_loop *it) {
     const ir_unit *unit = it->an->unit;
     for (const ir_node *node = it->loop->parent; node && node != it->function->body;
@@ -95,8 +95,8 @@ static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     return found;
 }
 
-/* Outside the loop, does the node name a function that may distribute iterations, or a thread-local
- * variable from which a thread may learn its number? */
+/* Does the node, apart from the loop, name a function that may distribute iterations, or a
+ * thread-local variable from which a thread may learn its number? */
 static bool may_call_loops(const team_loop *it, const ir_node *node) {
     if (node == it->loop)
         return false;

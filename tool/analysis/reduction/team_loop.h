@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Checks whether the iterations of an `omp for`, which the team of an enclosing region shares, may
- *  be distributed in another way. The team must share the variables that the loop reduces.
+ *  be distributed in another way. The variables that the loop reduces must be shared by the team.
  *
- *  A schedule given as `static` is a promise: all such loops of the region with the same trip count
- *  give each iteration to the same thread (OpenMP 4.5, 2.7.1). Data in shared memory are safe
- *  behind barriers, which replace `nowait` (2.7: "an implementation may omit the barrier"). A
- *  thread's private data are not. */
+ *  A schedule given as `static` is a promise: all loops of the region that have this schedule and
+ *  the same trip count give each iteration to the same thread (OpenMP 4.5, 2.7.1). Code may rely on
+ *  this for data in shared memory. Barriers keep these data correct, and they replace `nowait`
+ *  (2.7: "an implementation may omit the barrier"). A thread's private data have no such
+ *  protection. */
 #ifndef ANALYSIS_TEAM_LOOP_H
 #define ANALYSIS_TEAM_LOOP_H
 

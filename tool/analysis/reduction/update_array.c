@@ -9,8 +9,8 @@
 
 /* ---- the base ------------------------------------------------------------------------------- */
 
-/* An example is row[1] or p->x after double *row = b[k] or p = &b[k] in the loop. That definition
- * contains the base. */
+/* For example, the target is row[1] or p->x, after double *row = b[k] or p = &b[k] in the loop. The
+ * pointer's definition then contains the base b. */
 bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update) {
     const ir_node *target = update->access.form.target;
     const ir_node *base = update->where.base;
@@ -27,8 +27,8 @@ static bool base_is_invariant(const loop_analysis *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
-/* Is the table local, and may the loop store pointers to it? They could differ in each iteration,
- * and depend on data that are not compared when a plan is reused. */
+/* Is the table local, and may the loop store pointers to it? Such pointers could differ in each
+ * iteration, and depend on data that are not compared when a plan is reused. */
 static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
     for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
@@ -152,8 +152,8 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
     return true;
 }
 
-/* Compares the update with all others of the array. add_array compared it only with the first,
- * which may be of another field. */
+/* Compares the update with all other updates of the array. add_array has compared it only with the
+ * first one, which may be of another field. */
 static bool check_neighbours(loop_analysis *j, const loop_access *update, update_kind kind,
                              loop_array *array, unsigned number) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -176,8 +176,8 @@ bool update_array_find(loop_analysis *j, const loop_access *update, update_kind 
 }
 
 /* ---- rows behind pointers to records ---------------------------------------------------------
- * After p = &b[k], the row of an update p->x += v is b[k].x if k has not changed since. Spelled
- * like this, it shows spans.c how the row steps. */
+ * After p = &b[k], the row of an update p->x += v is b[k].x if k has not changed since. From the
+ * spelling b[k].x, unlike p->x, spans.c can see how the row steps. */
 
 /* Is the subscript a sum of numbers, the loop's counter, and local variables that the body writes
  * by name? */
@@ -205,8 +205,8 @@ static bool writes_any_of(const ir_node *block, const ir_node *index) {
     return false;
 }
 
-/* Is the pointer computed before the statement, in a block around it, and does nothing in that
- * block write a variable of the element's subscript? */
+/* Is the pointer to the element computed before the statement, in a block around it, and does
+ * nothing in that block write a variable of the element's subscript? */
 static bool is_made_before(const loop_analysis *j, const ir_node *element,
                            const ir_node *statement) {
     const ir_node *made = element;
@@ -237,8 +237,8 @@ static const ir_node *element_of_pointer(const loop_analysis *j, const loop_acce
                : NULL;
 }
 
-/* The target p->x spelled as b[k].x, using the element to which p points. The target itself if it
- * has another form. */
+/* Returns the target p->x spelled as b[k].x, with the element b[k] to which p points. Returns the
+ * target itself if it has another form. */
 static const ir_node *spelled_by_element(const loop_analysis *j, const ir_node *target,
                                          const ir_node *element) {
     const ir_variable *pointer = ir_root_variable(target);

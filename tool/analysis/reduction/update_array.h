@@ -28,12 +28,12 @@ const ir_node *update_base_of(const ir_node *target, const ir_node *base);
 const ir_node *update_table_of(const loop_analysis *j, const ir_node *base);
 
 /** Checks that the base is invariant and can be read before the loop, or is reached from a table
- *  (update_table_of). Refuses the loop otherwise, and also if the target is the same element in all
- *  iterations and not one of an array that has other updates. */
+ *  (update_table_of). Otherwise refuses the loop. Also refuses it if all iterations update the same
+ *  element, unless the element belongs to an array that has other updates. */
 bool update_check_base(loop_analysis *j, const loop_access *update, const char *name);
 
-/** Stores the index in j->arrays of the array behind the update's base; the array is added if it is
- *  new. Refuses the loop if the update is incompatible with the array's others. */
+/** Stores in *number the index in j->arrays of the array behind the update's base. Adds the array
+ *  if it is new. Refuses the loop if the update is incompatible with other updates of the array. */
 bool update_array_find(loop_analysis *j, const loop_access *update, update_kind kind,
                        unsigned *number);
 

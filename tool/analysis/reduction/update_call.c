@@ -285,8 +285,8 @@ update_call update_call_of(const loop_analysis *j, const ir_node *call) {
     return found;
 }
 
-/* The call's accesses are in the order of the function's summary, and each has the call as its
- * node. */
+/* Relies on the order of the accesses: those of a call are in the order of the function's summary,
+ * and each has the call as its node. */
 void update_call_mark_reads(loop_analysis *j, const update_call *update) {
     const ir_node *call = update->statement->children[0];
     const access_list *known = summary_of(j, call);

@@ -31,8 +31,8 @@ static bool is_write_of(const ir_node *expression, const ir_node *element) {
     return written && expression_same(written, element);
 }
 
-/* Do all statements in it assign the element? Blocks and conditions do not count. Expressions in it
- * may have other effects. */
+/* Do all expression statements in the statement assign the element? The conditions in it are not
+ * examined, and its expressions may have other effects. */
 static bool writes_only(const ir_node *statement, const ir_node *element) {
     switch (statement->kind) {
     case IR_EMPTY:

@@ -206,8 +206,9 @@ static bool reads_itself(const loop_analysis *j, const ir_node *statement, const
     return false;
 }
 
-/* Does each update convert its result to a more restricted kind of number (_Bool, integer, real)?
- * Then the order of the updates matters. */
+/* Does each update convert its result to a more restricted kind of number: to _Bool, from a
+ * floating to an integer type, or from a complex to a real type? The order of the updates then
+ * matters. */
 static bool rounds_to_integer(const ir_type *type, const ir_node *value) {
     if (type->kind == IR_BOOLEAN)
         return true;
@@ -340,8 +341,8 @@ static bool is_of_group(const loop_analysis *j, const loop_access *store, update
            update_group_of(j->an->facts, store->access.lvalue->parent, group);
 }
 
-/* Checks a plain store, or a write by a call or a group of statements. The last store to an element
- * counts, so the order is kept. */
+/* Checks a plain store, or a write by a call or a group of statements. Stores to one element keep
+ * their order, because the last one determines its value. */
 static bool check_store(loop_analysis *j, loop_access *store) {
     if (store->access.callee)
         return check_call(j, store);
@@ -360,8 +361,8 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     return refuse_store(j, store);
 }
 
-/* Accepts a step of a secondary induction variable that other statements read. If none reads it,
- * its steps are a scalar sum. */
+/* Accepts a step of a secondary induction variable that other statements read. Returns false if
+ * none reads it: its steps are then updates of a scalar sum. */
 static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -425,8 +426,8 @@ static bool check_write(loop_analysis *j, loop_access *write) {
     return is_update ? check_update(j, write) : check_store(j, write);
 }
 
-/* Refuses the loop if it reads an updated element. This gives a more useful reason than a store in
- * the same loop. */
+/* Refuses the loop if it reads an updated element. This is checked before stores, because the read
+ * is a more useful reason than a store in the same loop. */
 static bool check_plain_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];

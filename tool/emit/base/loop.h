@@ -14,10 +14,11 @@
 
 /** The names of a reduction array in the generated text. */
 typedef struct array_text {
-    const char *base;       /* the user's own expression: `b`, `s->b` */
-    const char *local;      /* the array's name in the executor: the user's name, which a pointer
-                             * shadows, or another that replaces the user's bytes. `base` and `local` are
-                             * NULL if the rows are scattered: reached through pointers in memory */
+    const char *base;  /* the user's own expression: `b`, `s->b` */
+    const char *local; /* the array's name in the executor: the user's name, if a pointer of that
+                        * name shadows the array (is_shadowed); otherwise another name, which
+                        * replaces the user's bytes. `base` and `local` are NULL if the rows are
+                        * scattered, that is, reached through pointers in memory */
     const char *declarator; /* `local`, marked as a declarator (origin.h) */
     bool is_shadowed;
 } array_text;
@@ -35,14 +36,16 @@ typedef struct outline_text {
     bool possible;           /* cleared when an obstacle is found */
     bool *is_passed;         /* indexed by variable: is it passed to slice or body? */
     const char **by_address; /* indexed by variable: the text that replaces its name, or NULL */
-    const char *text;        /* slice, body and each thread's last statements; the
-                              * context must pass the values that they name */
+    const char *text;        /* the texts of slice, body and each thread's last
+                              * statements, joined; the context must pass the values
+                              * that they name */
     const char *slice_call, *body_call; /* the calls for iteration redcc__k */
     const char *reads_call; /* call that replaces slice_call while records are appended (bins), or
                              * NULL */
     const char *tile_call;  /* call for the inner iterations of a row in a tile, or NULL */
-    const char *body_parameters, *body_arguments; /* lists that begin with a comma, without the
-                                                   * counter */
+    const char *body_parameters, *body_arguments; /* lists of the body's parameters and arguments,
+                                                   * without the counter; each begins with a
+                                                   * comma */
 } outline_text;
 
 typedef struct loop_text {

@@ -62,9 +62,9 @@ void set_names(loop_text *loop) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** The type's spelling for a parameter or variable of a generated function. `restrict` becomes
- * __restrict__, which compilers accept in every C standard. At the end of the spelling it qualifies
- * the parameter itself; there it is dropped, with the blank before it. */
+/** Returns the type's spelling for a parameter or variable of a generated function. `restrict`
+ * becomes __restrict__, which compilers accept in every C standard. A `restrict` at the end of the
+ * spelling qualifies the parameter itself. It is dropped, with the blank before it. */
 static const char *spelling_of(arena *a, const ir_type *type) {
     static const char word[] = "restrict";
     enum { LENGTH = sizeof word - 1 };
@@ -100,8 +100,9 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return "int";
 }
 
-/** The spelling of a constant pointer to an array or function, `double (*const)[3]`, without the
- * pointer's own `const`, which follows the last `*` in the innermost parentheses. */
+/** Returns the spelling of a constant pointer to an array or function without the pointer's own
+ * `const`: for `double (*const)[3]`, this is the `const` after the last `*` in the innermost
+ * parentheses. */
 static const char *without_const_inside(arena *a, const char *spelling) {
     static const char word[] = "const";
     const char *const close = strchr(spelling, ')'), *own = NULL, *at = close;

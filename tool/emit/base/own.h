@@ -8,9 +8,9 @@
 
 /** The variable that replaces this node, or NULL. */
 const char *own_name(const loop_text *loop, const ir_node *node);
-/** Declares these variables: only those that the slice uses (`of_slice`), or all. Their initial
- * values are the elements' values, or 0 if the iteration stores before it reads. `rename` spells
- * the elements. */
+/** Declares the variables that replace own elements: only those that the slice uses (`of_slice`),
+ * or all of them. Their initial values are the elements' values, or 0 if the iteration stores
+ * before it reads. `rename` spells the elements. */
 void declare_own(loop_text *loop, writer *out, bool of_slice, ir_c_rename rename, void *context);
 
 #endif

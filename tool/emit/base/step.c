@@ -37,8 +37,8 @@ static const char *turns_text(loop_text *loop, const private_variable *item) {
                : arena_format(loop->arena, "(redcc_int)%s - redcc__lower + %lld", end, offset);
 }
 
-/** The number of steps before `iteration`, as C. `first`: the number of inner iterations in the
- * first outer iteration. */
+/** Returns the number of steps before `iteration`, as C text. `first`: the number of inner
+ * iterations in the first outer iteration, as C text. */
 static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
                               const char *iteration) {
     if (!item->inner.loop)

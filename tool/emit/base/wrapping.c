@@ -54,9 +54,9 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
 
 /* ---- addresses ----------------------------------------------------------------------------- */
 
-/** The subscript, computed in 64 bits. It increases by a constant with the counter of a span, an
- * inner loop that is logged as one range. steps_with in analysis/base/row_steps.c says what it may
- * contain. */
+/** Returns the text of the subscript, computed in 64 bits. The subscript increases by a constant
+ * with the counter of a span, an inner loop that is logged as one range. It contains only
+ * operations that steps_with in analysis/base/row_steps.c accepts. */
 static const char *wide_number(arena *a, const ir_node *node, const ir_variable *counter,
                                ir_c_rename rename, void *context) {
     if (node->kind == IR_CAST && expression_mentions(node, counter))

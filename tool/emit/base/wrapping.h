@@ -11,9 +11,9 @@
  * `context` are passed to ir_c_expression. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
 
-/** The address as a number of type redcc_size, or NULL if it cannot be spelled. `counter`: the
- * counter of a span (an inner loop that is logged as one range), or NULL. A subscript that
- * increases with it is computed in 64 bits. */
+/** Returns the address as a number of type redcc_size, or NULL if it cannot be spelled. `counter`:
+ * the counter of a span (an inner loop that is logged as one range), or NULL. A subscript that
+ * increases with `counter` is computed in 64 bits. */
 const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
                            ir_c_rename rename, void *context);
 

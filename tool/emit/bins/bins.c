@@ -135,8 +135,8 @@ static const char *part_of_row_text(const loop_text *loop, const reduction_updat
     return text;
 }
 
-/** The value of a nest's counter in iteration `part`, in its promoted type, or NULL if the node is
- * not such a counter. */
+/** Returns the value of a nest's counter in iteration `part`, as text of the counter's promoted
+ * type. Returns NULL if the node is no such counter. */
 static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
                                      const ir_node *node, unsigned part) {
     const struct nest_level *level = nest_level_of(nest, node);
@@ -206,9 +206,10 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
-/** The macro's arguments for an element of a scattered array, which has no base: the address of the
- * pointer to the element's row (0: there is no such pointer), and the element's address. The macro
- * checks the former, because the pointer may be an unverified value. */
+/** Returns the macro's arguments for an element of a scattered array, which has no base. They are
+ * the address of the pointer to the element's row (0 if there is no such pointer), and the
+ * element's address. The macro checks the pointer's address, because the pointer may be an
+ * unverified value. */
 static const char *place_behind(loop_text *loop, const reduction_update *update,
                                 const char *address, ir_c_rename name) {
     const ir_node *load = row_load_of(loop->facts, update);
@@ -220,8 +221,8 @@ static const char *place_behind(loop_text *loop, const reduction_update *update,
     return arena_format(loop->arena, "%s, %s", pointer, address);
 }
 
-/** The macro's arguments for the updated element; with wide rows, for the row and the element's
- *  position in it. */
+/** Returns the macro's arguments for the updated element. With wide rows (is_wide_row) they also
+ *  give the type of the row and the element's position in it. */
 static const char *place_text(loop_text *loop, const reduction_update *update, const char *address,
                               ir_c_rename name) {
     const char *base = loop->arrays[update->array].local;
@@ -305,8 +306,8 @@ static unsigned tag_bits(const bins_stream *stream) {
     return bits;
 }
 
-/** The part of an apply function that makes the updates: declarations of the elements of the
- * stream's second and further arrays; then the updates, selected by the record's tag. */
+/** Returns the part of an apply function that makes the updates. It declares the elements of the
+ * stream's arrays after the first. Then it makes the updates that the record's tag selects. */
 static const char *updates_text(loop_text *loop, unsigned stream) {
     const bins_plan *bins = loop->bins;
     const bins_stream *its = &bins->streams[stream];

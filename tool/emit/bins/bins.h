@@ -24,8 +24,8 @@ void write_bins(loop_text *loop, writer *out);
 /** Writes the descriptions of the bins_stream_count streams. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
-/** Arguments of REDCC_PARALLEL_BINNED: bins_phase gives the sources to log and whether updates are
- * exact; streams_argument gives the streams. */
+/** Arguments of REDCC_PARALLEL_BINNED. bins_phase returns those that name the sources to log, and
+ * say whether updates are exact. streams_argument returns the streams. */
 const char *bins_phase(loop_text *loop);
 const char *streams_argument(loop_text *loop);
 

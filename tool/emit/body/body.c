@@ -42,8 +42,8 @@ static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** The text before an update: the ownership check; with bins, the code that appends a record; in
- * tiles, braces and perhaps a check for the row's first tile. */
+/** Returns the text before an update: the ownership check; in the form for bins, the code that
+ * appends a record; in tiles, braces and perhaps a check for the row's first tile. */
 static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
         return tiles_begin_with(loop->tiles, update->statement)
@@ -90,8 +90,8 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** If the statement is a forwarded store (`o[t] = e`), prints the assignment of the variable for
- * later reads, then the store, and returns true. */
+/** If the statement is a forwarded store (`o[t] = e`), prints the assignment of e to the variable
+ * that later reads use, then the store of the variable, and returns true. */
 static bool print_forward(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     writer *out = copy->printer.out;
@@ -106,7 +106,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** If the statement assigns a conditional live-out (`k = e`), prints it, followed by code that
+/** If the statement assigns a conditional live-out (`k = e`), prints the statement and code that
  * records that this iteration assigned k, and returns true. */
 static bool print_noted(body_copy *copy, const ir_node *statement) {
     const int number = conditional_live_out_of(copy->loop->facts, statement);
@@ -121,8 +121,8 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** With bins: if the updates of an inner loop are appended as one record, prints the code that
- * appends it, then the loop, and returns true. */
+/** In the form for bins: if the updates of an inner loop are appended as one record, prints code
+ * that appends this record, then the loop, and returns true. */
 static bool print_appends(body_copy *copy, const ir_node *statement) {
     const char *appends = copy->within == statement || copy->loop->tiles
                               ? NULL
@@ -170,7 +170,7 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
 }
 
 /** Is the node an enumerator declared in the function before the body, or a sizeof with a renamed
- * operand? The copy gets its value instead. */
+ * operand? If so, the copy of the body contains the node's value instead. */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
@@ -189,8 +189,8 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
     return false;
 }
 
-/** The text that replaces the node, or NULL if there is none. Sets *is_base: the node is an array's
- * base. */
+/** Returns the text that replaces the node, or NULL if there is none. Sets *is_base to whether the
+ * node is an array's base. */
 static const char *replacement_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
@@ -287,9 +287,9 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** Makes the loop's step hide the counter's value from the compiler, except in plain iterations and
- * in tiles. Otherwise compilers would unroll loops with updates in the other forms, too, which
- * would be slow to compile. */
+/** Makes the loop's step hide the counter's value from the compiler. In plain iterations the step
+ * has no such effect, and in tiles it is unchanged. Otherwise compilers would also unroll loops
+ * with updates in the other forms of the body, which would be slow to compile. */
 static void keep_others_rolled(body_copy *copy, const ir_node *node) {
     const ir_node *step = node->children[2];
     const char *const text = copy->loop->unit->source->text;

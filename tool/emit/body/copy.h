@@ -19,7 +19,7 @@ typedef struct body_copy {
                                       * again, or NULL */
 } body_copy;
 
-/** A hook that spells a node of the body; the context is the loop_text. It gives the local name of
+/** A hook that spells a node of the body; `context` is the loop_text. It returns the local name of
  * an array's base, of an own element, of a forwarded value, or of a variable passed by address. It
  * returns NULL for other nodes, which are spelled as the user wrote them. */
 const char *local_name(const ir_node *node, void *context);
@@ -40,8 +40,8 @@ bool is_printed(const body_copy *copy, const ir_node *node);
 bool is_clipped(const loop_text *loop, const ir_node *node);
 /** In a loop with tiles, clips the loop over columns to those of the tile. */
 void clip_columns(body_copy *copy);
-/** In a loop with tiles, writes the text after the loop over columns. Called after all insertions
- * at the end of that loop's body, which may be at the same position. */
+/** In a loop with tiles, writes the text after the loop over columns. Call it after all insertions
+ * at the end of that loop's body, because these may be at the same position and must come first. */
 void leave_columns(body_copy *copy);
 
 /** Inserts the checks by which a thread skips the rest of an inner iteration that updates none of

@@ -10,8 +10,8 @@
 #include "emit/body/body.h"
 #include "emit/text/origin.h"
 
-/** May a pragma of the file change compiler options? Functions with different options may not be
- *  inlined into each other. */
+/** May a pragma of the file change compiler options? Compilers may not inline functions with
+ *  different options into each other. */
 static bool has_compiler_pragmas(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
@@ -37,7 +37,7 @@ static bool is_called_once(const ir_unit *unit, const ir_function *function) {
 }
 
 /** Does another declaration, perhaps of a parameter, have the function's name? It may hide the
- *  function where the new declaration is. */
+ *  function at the place where `inline` is added. */
 static bool is_name_shared(const ir_unit *unit, const char *name) {
     if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
         return true;

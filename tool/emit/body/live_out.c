@@ -62,8 +62,8 @@ void take_conditional_live_outs(loop_text *loop, writer *out) {
 
 /* ---- assigned in each iteration ------------------------------------------------------------ */
 
-/** An initial value that prevents warnings: compilers do not know that the loop iterates and that
- * each iteration assigns the variable. */
+/** Returns an initialiser that prevents warnings. It is needed because compilers do not know that
+ * the loop iterates and that each iteration assigns the variable. */
 static const char *start_value(const ir_type *type) {
     if (type->size < 0)
         return "";

@@ -13,7 +13,7 @@ void note_live_outs(loop_text *loop, writer *out);
 void take_live_outs(loop_text *loop, writer *out);
 
 /** Declares, for each variable that only some iterations assign, storage for the value that the
- * latest of these iterations assigned, and for that iteration's number. */
+ * last of these iterations in the loop's order assigned, and for that iteration's number. */
 void declare_conditional_live_outs(loop_text *loop, writer *out);
 /** Writes, after an assignment of private variable `number`, code that records value and
  * iteration. */

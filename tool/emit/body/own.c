@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Each thread that executes an iteration keeps the value that an own element has at the
- * iteration's end; all of them keep the same value, by atomic stores. After the loop the kept
- * value is stored if its bits differ from the element's: then the sequential iteration would have
- * stored it, too. If the iteration stored nothing, or the same bits, memory is not written.
+ * Own elements in the executor. Each thread that executes an iteration keeps the value that an own
+ * element has at the iteration's end. All of them keep the same value, by atomic stores. After the
+ * loop the kept value is stored if its bits differ from the element's: then the sequential
+ * iteration would have stored it, too. If the iteration stored nothing, or the same bits, memory is
+ * not written.
  */
 #include "emit/body/own.h"
 

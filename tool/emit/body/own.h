@@ -5,8 +5,9 @@
 
 #include "emit/base/loop.h"
 
-/** Type and name of the value recorded for own element `number`, and the number by which the
- * runtime identifies it. */
+/** kept_own_type returns the type of the value recorded for own element `number`, kept_own_name the
+ * name of the recorded values, and kept_own_number the number by which the runtime identifies
+ * them. */
 const char *kept_own_type(const loop_text *loop, unsigned number);
 const char *kept_own_name(loop_text *loop, unsigned number);
 unsigned kept_own_number(const loop_text *loop, unsigned number);

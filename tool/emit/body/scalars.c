@@ -98,8 +98,8 @@ void declare_operands(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_OPERANDS(%u);", count);
 }
 
-/** The statement that records whether the iteration executes the update; "" if every iteration
- * does. */
+/** Returns the statement that records whether the iteration executes the update; "" if every
+ * iteration executes it. */
 static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
     return loop->facts->scalars[number].is_conditional
                ? arena_format(loop->arena,
@@ -119,8 +119,8 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
                 type, type, value, number, made_text(loop, number, true));
 }
 
-/** The initial value of redcc__so_far_N: the neutral element, or, in a tile that continues an
- *  iteration, the operand that the iteration has accumulated in preceding tiles. */
+/** Returns the initial value of redcc__so_far_N: the identity element. In a tile that continues an
+ *  iteration, it is instead the operand that the iteration has accumulated in preceding tiles. */
 static const char *so_far_text(loop_text *loop, unsigned number) {
     const scalar_update *update = &loop->facts->scalars[number];
     const char *neutral = neutral_of(update);

@@ -6,9 +6,9 @@
 #include "emit/base/loop.h"
 
 /** Each iteration records a value for update `number`: the update's operand or, if `is_made`,
- * whether the iteration executes the update. These functions give the value's type (NULL: nothing
- * is recorded), the name of the recorded values, and the number by which the runtime identifies
- * them. */
+ * whether the iteration executes the update. kept_operand_type returns the value's type (NULL:
+ * nothing is recorded), kept_operand_name the name of the recorded values, and kept_operand_number
+ * the number by which the runtime identifies them. */
 const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made);
 const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made);
 unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made);

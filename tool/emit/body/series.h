@@ -12,9 +12,10 @@ void declare_series(loop_text *loop, writer *out);
 void for_each_series_value(loop_text *loop, void (*take)(void *to, extra_value value), void *to);
 /** Is the scalar a local variable, which is passed by value? */
 bool is_scalar_by_value(const loop_text *loop, unsigned number);
-/** The code of each thread: declare_thread_series writes declarations; join_series the statements
- * that begin its part of the series; finish_series its last statements. series_condition is the
- * condition under which it continues with the loop. */
+/** The code of each thread. declare_thread_series writes declarations. join_series writes the
+ * statements that begin the thread's part of the series. series_condition returns the condition
+ * under which the thread then continues with the loop. finish_series writes the thread's last
+ * statements. */
 void declare_thread_series(loop_text *loop, writer *out);
 void join_series(loop_text *loop, writer *out);
 const char *series_condition(loop_text *loop);
@@ -22,8 +23,8 @@ void finish_series(loop_text *loop, writer *out);
 /** The statement after a tile that adds the operands of a completed band (a group of rows), or ""
  * if there is no series. */
 const char *series_of_band(loop_text *loop);
-/** Writes, at the beginning of an iteration, code that begins its operands or, in a tile, resumes
- * them. */
+/** Writes, at the beginning of an iteration, code that begins the iteration's operands or, in a
+ * tile, resumes them. */
 void begin_series(loop_text *loop, writer *out);
 /** Writes, after a row's inner iterations in a tile, code that suspends the iteration's
  * operands. */

@@ -12,8 +12,8 @@
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
-/** The address of a row as a number: the program may never compute it, and then C need not define
- * the pointer. */
+/** Returns the address of a row as a number. The program may never compute this address, and then C
+ * need not define the pointer. */
 static const char *row_number(loop_text *loop, const ir_node *row) {
     row_address address;
     return row_address_of(row, &address)
@@ -46,8 +46,8 @@ static const char *first_value_name(const ir_node *node, void *context) {
     return text && type ? arena_format(it->loop->arena, "((%s)%s)", type, text) : NULL;
 }
 
-/** The check for ownership of all rows that the nested loop steps through. If the loop has no
- * iterations, there are no rows, and any answer is correct. */
+/** Returns the check for ownership of all rows through which the nested loop steps. If the loop has
+ * no iterations, there are no rows, and any answer is correct. */
 static const char *span_check(loop_text *loop, const skip_row *skipped) {
     arena *a = loop->arena;
     const counted_loop *counted = &skipped->span->counted;
@@ -77,8 +77,8 @@ static const char *row_check(loop_text *loop, const skip_row *skipped) {
                : NULL;
 }
 
-/** The expression that checks whether the thread owns any of the rows, or NULL if it cannot be
- * spelled. */
+/** Returns the check whether the thread owns any of the rows, or leads in the iteration if the skip
+ * needs a leader. NULL if it cannot be spelled. */
 static const char *skip_check(loop_text *loop, const inner_skip *skip) {
     const char *check = !skip->needs_leader       ? ""
                         : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "

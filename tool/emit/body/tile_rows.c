@@ -55,8 +55,8 @@ static const char *copies(loop_text *loop, bool is_kept) {
     return buffer_take(loop->arena, &text);
 }
 
-/** Statements that set variables without a value to 0, because compilers would warn when they are
- *  copied. */
+/** Returns statements that set variables without a value to 0. Without these statements compilers
+ *  would warn when the variables are copied. */
 static const char *first_values(loop_text *loop) {
     buffer text = {0};
     for (unsigned i = 0; i < loop->tiles->kept_count; i++)

@@ -13,8 +13,8 @@ bool is_clipped(const loop_text *loop, const ir_node *node) {
     return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
 }
 
-/** Encloses the statements after the node, in its block, in a condition: only the last tile of a
- * row executes them. */
+/** Encloses the statements after the node, in its block, in a condition, so that only the last tile
+ * of a row executes them. */
 static void finish_rows(body_copy *copy, const ir_node *node) {
     loop_text *loop = copy->loop;
     const ir_node *block = node->parent, *last = block->children[block->child_count - 1];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions for all lanes. Arithmetic on doubles and floats follows the user's operators: each is
- * computed in its own type and rounded as in a single iteration. Operands that differ between
- * lanes, read from memory or converted from integers, are gathered into vectors.
+ * Expressions for all lanes. Arithmetic on doubles and floats follows the user's operators: each
+ * operation is computed in its own type and rounded as in a single iteration. Operands that differ
+ * between lanes, are read from memory or are converted from integers are gathered into vectors.
  */
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
@@ -127,8 +127,8 @@ static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type 
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-/** A call of a library function with a vector form. Inactive lanes pass the operand 1, for which no
- * such function sets errno. */
+/** Returns a call of the vector form of a library function. In inactive lanes the operand is 1, for
+ * which no such function sets errno. */
 static lane_value known_call(vectoriser *l, const char *name, const ir_node *call) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(call->type);

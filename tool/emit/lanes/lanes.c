@@ -80,8 +80,7 @@ static void declare_outer(vectoriser *l) {
                 (long long)facts->counted.step);
 }
 
-/** Writes the updates twice: with ownership checks, and without them, because most lanes need
- * none. */
+/** Writes the updates twice: with ownership checks, and without them. Most lanes need no checks. */
 static void write_updates(vectoriser *l, const char *updates) {
     if (l->mask)
         writer_line(l->out, "REDCC_EACH_ITERATION if (%s[redcc__l]) {", l->mask);
@@ -111,8 +110,9 @@ static void write_exit(vectoriser *l, const ir_node *condition) {
 
 static void write_block(vectoriser *l, const ir_node *block);
 
-/** Writes a block's last statement, an `if` with updates. Variables need no select (a choice by
- * mask between old and new value), because values of inactive lanes are not used after it. */
+/** Writes a block's last statement, an `if` with updates. Variables set in it need no select (a
+ * choice by mask between old and new value), because values of inactive lanes are not used after
+ * the `if`. */
 static void write_last_part(vectoriser *l, const ir_node *node) {
     const char *const outer = l->mask;
     if (lane_is_uniform(&l->in, node->children[0])) {
@@ -152,8 +152,8 @@ static void write_block(vectoriser *l, const ir_node *block) {
         write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
-/** The text of the function, after the vector forms of functions that it calls, or NULL if it
- * cannot be written. */
+/** Returns the text of the function, preceded by the vector forms of functions that it calls.
+ * Returns NULL if it cannot be written. */
 static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
     arena *a = loop->arena;

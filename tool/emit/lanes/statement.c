@@ -152,7 +152,7 @@ static const char *parameter_text(vectoriser *l, const ir_variable *parameter, l
 }
 
 /** Is the argument an array with one value of the parameter's type per lane, and does the function
- * leave the parameter unchanged? Then the argument needs no copy. */
+ * leave the parameter unchanged? If so, the argument need not be copied. */
 static bool needs_no_copy(const vectoriser *l, const ir_variable *parameter, const ir_node *value) {
     return value->kind == IR_VARIABLE && l->in.class_of[value->variable->id] == LANE_VARYING &&
            ir_type_equal(parameter->type, value->variable->type) &&
@@ -269,8 +269,8 @@ const char *lane_call(vectoriser *l, const ir_node *call) {
 
 /* ---- statements ----------------------------------------------------------------------------- */
 
-/** The result of `target op= value` or `target = value`: a vector of the target's type. As in C, it
- * is computed in the wider of both types and converted. */
+/** Returns the result of `target op= value` or `target = value`: a vector of the target's type. As
+ * in C, the operation is computed in the wider of both types, and the result is converted. */
 static const char *assigned_value(vectoriser *l, const ir_node *node, const char *target) {
     const ir_node *value = node->children[1];
     const ir_type *type = node->children[0]->type;
@@ -308,8 +308,8 @@ static void assign_vector(vectoriser *l, const ir_node *node) {
     writer_line(l->out, "%s = %s;", target, value);
 }
 
-/** The assignment of a private integer or pointer: one per lane, or a single one if the variable is
- * uniform. */
+/** Returns the assignments of a private integer or pointer, one per lane, or a single assignment if
+ * the variable is uniform. */
 static const char *assignment_of(vectoriser *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     if (target->kind != IR_VARIABLE || !lane_is_own(&l->in, target->variable) ||

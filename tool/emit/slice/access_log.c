@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Writes the code that logs addresses: of one row; of all rows that a loop steps through; of reads
- * in loops of a called function. */
+/* Writes the code that logs addresses: those of one row, of all rows through which a loop steps, or
+ * of reads in loops of a called function. */
 #include "emit/slice/access_log.h"
 
 #include <assert.h>
@@ -29,8 +29,8 @@ const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
     return NULL;
 }
 
-/** The value of `counter` in the first or last row of the current span (is_at_last), if it counts a
- * loop with constant bounds; otherwise NULL. */
+/** Returns the value of `counter` in the first or, if is_at_last, in the last row of the current
+ * span. Returns NULL unless `counter` counts a loop with constant bounds. */
 static const char *end_value(inspector *self, const ir_variable *counter) {
     const ir_node *loop = vector_loop_of(self->span, self->place, counter);
     const ir_variable *stepped;
@@ -94,8 +94,8 @@ const char *log_row_text(inspector *self, const ir_node *row) {
     return text ? text : "0";
 }
 
-/** Is this row an element, of constant size, of an invariant array or pointer? Then its number
- *  identifies it, which is cheaper to compare than its address. */
+/** Is the row an element, of constant size, of the invariant array or pointer `base`? If so, its
+ *  number identifies the row, and is cheaper to compare than its address. */
 static bool is_numbered(const ir_node *row, const ir_node *base) {
     return row->kind == IR_INDEX && row->type->size > 0 && syntax_same(row->children[0], base);
 }
@@ -118,8 +118,8 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
     return arena_format(a, "%s&%s", plain, log_row_text(self, row));
 }
 
-/** Logs a whole array, whose size is written as a number: the slice gets a pointer to its first
- *  element. */
+/** Logs a whole array. Its size is written as a number, because the slice gets only a pointer to
+ *  the array's first element. */
 static void log_array(inspector *self, const ir_node *row, const char *what, unsigned number) {
     const ir_type *type = row->type, *element = type->target;
     const char *text = log_row_text(self, row);
@@ -180,9 +180,9 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
 
 /* ---- the leader ----------------------------------------------------------------------------- */
 
-/* One of the threads that execute an iteration leads: it executes all of it, and keeps the operands
- * of series (redcc/series.h). The owner of a row that changes in the fewest nested loops leads,
- * because it can skip the fewest inner iterations. */
+/* Of the threads that execute an iteration, one leads: it executes the whole iteration, and keeps
+ * the operands of series (redcc/series.h). The owner of a row that changes in the fewest nested
+ * loops leads, because that owner can skip the fewest inner iterations. */
 
 /** The number of inner loops around the most deeply nested assignment of the variable. */
 static unsigned loops_around_writes(const ir_node *node, const ir_variable *variable,
@@ -285,8 +285,8 @@ static void open_loops(inspector *self, const loop_source *read, bool is_span) {
     }
 }
 
-/** Logs the reads in loops of a called function: each iteration, or the innermost loop as one span
- * (range). */
+/** Logs the reads in loops of a called function. The innermost loop is logged as one span (range)
+ * if possible; otherwise each iteration is logged. */
 static void log_in_loops(inspector *self, const loop_source *read, unsigned number,
                          const ir_node *base) {
     const source_loop *last = &read->loops[read->loop_count - 1];

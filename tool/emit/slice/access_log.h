@@ -33,8 +33,8 @@ typedef struct inspector {
     bool is_at_last;      /* the last row is being spelled, not the first */
     const ir_node *hulls; /* the outermost loop whose hulls are being logged, or NULL */
     row_list recent;      /* the rows logged by the last statements of the text */
-    size_t recent_end;    /* end of these statements in the text; if the text is longer, others
-                           * follow */
+    size_t recent_end;    /* end of these statements in the text; if the text is longer, other
+                           * statements follow them */
 } inspector;
 
 bool logged_same(const logged_row *a, const logged_row *b);
@@ -44,11 +44,11 @@ bool logged_is_update(const logged_row *item);
 unsigned logged_number(const logged_row *item);
 
 /** The printer's hook that spells names in the slice, and records each variable in is_mentioned.
- *  context: the inspector. */
+ *  `context`: the inspector. */
 const char *inspector_note_variable(const ir_node *node, void *context);
-/** The text of &row. If the program may not execute the access, it is a number instead, because C
- * defines a pointer only within its object. `counter`: the counter of a span around the row, or
- * NULL. */
+/** Returns the text of &row. If the program may not execute the access, the text is instead a
+ * number, because C defines a pointer only within its object. `counter`: the counter of a span
+ * around the row, or NULL. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
 /** The row as the slice spells it, with the variables that replace forwarded stores and own
  * elements. */
@@ -58,8 +58,8 @@ const char *log_row_text(inspector *self, const ir_node *row);
  * `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
-/** The loop with constant bounds, inside the span and around `place`, that has this counter, or
- * NULL if there is none. */
+/** Returns the loop with constant bounds, inside the span and around `place`, whose counter is
+ * `counter`; NULL if there is none. */
 const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
                               const ir_variable *counter);
 /** Logs the range of a span from its first row, whose address is in redcc__begin_N (N is `row`), to

@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Hulls (analysis/loop/hulls.h): the hull of a loop's accesses is the range from the lowest to the
  * highest address. While a thread classifies iterations, some loops of the slice visit only their
- * first and last iterations. Writes the macros around and inside of such loops. */
+ * first and last iterations. This file's functions write the macros around and inside such
+ * loops. */
 #ifndef EMIT_SLICE_HULL_H
 #define EMIT_SLICE_HULL_H
 
 #include "emit/slice/access_log.h"
 
-/** Is the loop the outermost of these loops? */
+/** Is the loop the outermost of the loops that visit only their first and last iterations? */
 bool begins_hulls(const inspector *self, const ir_node *loop);
 
-/** begin_hulls writes the declarations before this loop; end_hulls, after it, the comparisons of
- * the hulls with the owner's range. */
+/** begin_hulls writes the declarations before `loop`. end_hulls writes, after the loop, the
+ * comparisons of the hulls with the owner's range. */
 void begin_hulls(inspector *self, const ir_node *loop);
 void end_hulls(inspector *self);
 
-/** The step expression of the loop, if it visits only its ends, or NULL for the program's own
- * step. */
+/** Returns the loop's step expression if the loop visits only its first and last iterations.
+ * Returns NULL if it keeps the program's own step. */
 const char *hull_step(inspector *self, const ir_node *loop);
 
 #endif

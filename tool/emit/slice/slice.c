@@ -25,9 +25,9 @@ static bool is_declared_in_block(const ir_node *node) {
            node->parent->parent && node->parent->parent->kind == IR_BLOCK;
 }
 
-/** Is the source's address logged before this statement or declarator? It is logged before the very
- * declarator that reads it, since preceding declarators of the same declaration may compute the
- * address. */
+/** Is the source's address logged before this statement or declarator? If a declarator reads the
+ * source, the address is logged directly before that declarator, because preceding declarators of
+ * the same declaration may compute the address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
@@ -37,7 +37,7 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
 }
 
 /** Writes the check whether the iteration leaves the loop. A comparison gets no additional
- * parentheses, of which clang would warn. */
+ * parentheses, because clang would warn of them. */
 static void write_exit(inspector *self, const loop_exit *exit) {
     const ir_node *condition = exit->rest->children[0];
     const char *operand = log_row_text(self, condition);
@@ -94,8 +94,8 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
-/** Are both places within the same loops with constant bounds, as far as their counters occur in
- * the row? */
+/** Are both places within the same loops with constant bounds? Only loops whose counters occur in
+ * the row are compared. */
 static bool has_same_ends(const ir_node *row, const ir_node *span, const ir_node *place,
                           const ir_node *other) {
     if (row->kind == IR_VARIABLE &&
@@ -168,8 +168,8 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Do enclosing spans log all rows of the span, and does nothing else need the span's header? Then
- * the span is not written. */
+/** Are all rows of the span logged by enclosing spans, and is the span's header not needed for
+ * anything else? If so, the span is not written. */
 static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
     return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
@@ -186,8 +186,8 @@ static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *
         log_spans_below(p, facts, node->children[i]);
 }
 
-/** Sets the stepped variables to their values in the last iteration, in arithmetic that wraps
- * around, because the program may not execute the loop. */
+/** Sets the stepped variables to their values in the last iteration. The arithmetic wraps around,
+ * because the program may not execute the loop. */
 static void step_to_last(inspector *self, const loop_span *span) {
     const counted_loop *counted = &span->counted;
     writer *out = self->printer.out;

@@ -12,7 +12,8 @@ void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 /** The name, in the inspector, of the counter of loop `depth` around a source; 0 is the outermost
  * loop. */
 const char *source_loop_counter(arena *a, unsigned depth);
-/** The header of that loop; an `if` if one iteration logs all rows. */
+/** Returns the header of loop `depth` around the source `read`; if one iteration logs all rows
+ *  (is_span), an `if` instead of a `for`. */
 const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
                                const char *counter, const char *bound, bool is_span);
 

@@ -123,7 +123,7 @@ static void put(unmarking *u, char byte) {
     buffer_byte(&u->out, byte);
 }
 
-/* Appends copied bytes. If a carriage return is inserted into the copy, it is split into several
+/* Appends copied bytes. If carriage returns are inserted into the copy, it is recorded as several
  * origins. */
 static void put_copy(unmarking *u, const char *text, uint32_t from, size_t length) {
     origin piece = {.kind = ORIGIN_COPY, .begin = (uint32_t)u->out.length, .from = from};

@@ -47,14 +47,14 @@ const char *origin_function_declarator(arena *a, const ir_function *function);
 const char *origin_type(arena *a, const ir_type *type);
 /** Another spelling of the type, marked. */
 const char *origin_spelling(arena *a, const ir_type *type, const char *spelling);
-/** The expression, marked as one that replaces an expression of that type. It is a name, an
- * element, or in parentheses. */
+/** Returns the expression, marked as one that replaces an expression of type `type`. `expression`
+ * is a name or an element, or is in parentheses. */
 const char *origin_value(arena *a, const ir_type *type, const char *expression);
 /** Appends bytes [begin, end) of `text`, marked as a copy of these bytes of the main file. */
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
 
-/** The text without marks, in the arena; the marks' contents go to *origins (NULL: not needed).
- *  With `has_crlf` each LF without a preceding CR gets one. */
+/** Returns the text without marks, in the arena. The marks' contents are added to *origins (NULL:
+ *  they are not needed). If `has_crlf`, each LF without a preceding CR gets one. */
 const char *origin_unmark(arena *a, const char *marked, size_t length, bool has_crlf,
                           origin_list *origins);
 /** The position after the mark or copy that begins at `at`; `at` itself if none begins there. */

@@ -83,9 +83,9 @@ static void close_block(printer *p, const char *text) {
 }
 
 /**
- * Prints the statements of a block. A slice may print statements between the user's declarations,
- * which C89 forbids: so a declaration after a statement opens a nested block, up to the end of this
- * one. `at_end` may use all declared names.
+ * Prints the statements of a block. A slice may contain statements between the user's declarations,
+ * which C89 forbids. A declaration after a statement therefore opens a nested block, which extends
+ * to the end of this one. `at_end` may use all declared names.
  */
 static void print_children(printer *p, const ir_node *block, void (*at_end)(printer *p)) {
     unsigned opened = 0;
@@ -249,8 +249,8 @@ static void print_case(printer *p, const ir_node *node) {
     print_statement(p, node->children[node->child_count - 1]);
 }
 
-/** Prints a jump, unless the slice omits a control statement between it and its target. Without the
- * jump the inspector only logs more than the loop touches. */
+/** Prints a jump, unless the slice omits a control statement between the jump and its target.
+ * Without the jump the inspector merely logs more than the loop touches. */
 static void print_jump(printer *p, const ir_node *node) {
     const bool is_break = node->kind == IR_BREAK;
     if ((is_break ? p->unkept_since_break : p->unkept_since_continue) > 0)

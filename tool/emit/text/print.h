@@ -9,15 +9,16 @@ typedef struct printer printer;
 struct printer {
     arena *arena;
     writer *out;
-    const bool *keep;   /* indexed by node id: the parts to print; NULL: everything. Parts under
-                         * omitted   control statements are printed as if executed once */
+    const bool *keep;   /* indexed by node id: the parts to print; NULL: print everything. If a
+                         * control statement is omitted but parts under it are kept, these are
+                         * printed as if executed once */
     ir_c_rename rename; /* as in ir_c_expression */
     void *context;
     /** Called before each statement, kept or not; true: it is skipped. Also called, with the result
      * ignored, before each declarator of a block's declarations. */
     bool (*before)(printer *p, const ir_node *statement);
-    /** Is this `for` printed as its initialisation, followed by an `if` with its condition, whose
-     * body print_at_once prints? May be NULL. */
+    /** Returns true if this `for` is printed as its initialisation, followed by an `if` with the
+     * loop's condition, whose body print_at_once prints. May be NULL. */
     bool (*is_at_once)(const printer *p, const ir_node *loop);
     void (*print_at_once)(printer *p, const ir_node *loop);
     /** The text before a `for`, with a blank after it; may be NULL. */
@@ -31,7 +32,8 @@ struct printer {
     unsigned unkept_since_break, unkept_since_continue; /* the number of omitted control statements
                                                          * since the target of a jump; start at 0 */
     size_t no_fall_through_at; /* length of the text after a jump, a label or the head of a switch:
-                                * a case printed there is not reached by falling through */
+                                * control does not fall through into a case that is printed at this
+                                * length */
     bool in_loop;              /* a printed loop encloses the current node */
     bool in_switch;            /* a printed switch or loop encloses it */
 };

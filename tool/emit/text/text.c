@@ -193,8 +193,8 @@ static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
     return arena_format(a, "(-%lld%s - 1)", (long long)-(value + 1), suffix); /* even INT64_MIN */
 }
 
-/** A rename hook that marks names. It writes enumerators and sizeofs as numbers, because their
- * meaning depends on their place and their value does not. */
+/** A rename hook that marks names. It writes enumerators and sizeof expressions as numbers, because
+ * their meaning may differ at another place, but their value does not. */
 static const char *marked_name(const ir_node *node, void *context) {
     const marking *m = context;
     const char *other = m->rename ? m->rename(node, m->context) : NULL;

@@ -25,7 +25,8 @@ const char *text_expression(arena *a, const ir_node *expression, ir_c_rename ren
 /** Like text_expression, but in parentheses unless a cast or & before the text applies to all of
  * it. */
 const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
-/** The expression, in parentheses if it has a comma, at which a macro might split it. */
+/** Returns the expression; in parentheses if it contains a comma, at which a macro might split
+ *  it. */
 const char *macro_argument(arena *a, const char *marked);
 /** `type name` without initialiser or `;`; NULL if the type cannot be spelled. */
 const char *text_declaration(arena *a, const ir_type *type, const char *name);

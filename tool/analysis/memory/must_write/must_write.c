@@ -63,8 +63,8 @@ static const char *find_unfit(const ir_variable *variable) {
 typedef struct search {
     must_write *prover;
     const ir_node *body;
-    const ir_node *loop; /* the loop whose body this is, if control never returns to it after it
-                          * has ended; otherwise NULL */
+    const ir_node *loop; /* the loop whose body is searched, if control never returns to the loop
+                          * after it has ended; otherwise NULL */
     const ir_variable *variable;
     const ir_node *found;
 } search;
@@ -184,8 +184,8 @@ static mention find_mentions(const ir_node *body, const ir_variable *variable) {
     return m;
 }
 
-/* Checks that pointers into the private copy end with the iteration. One may remain in a variable,
- * which must then not be used outside of the body. */
+/* Checks that no pointer into the private copy is used after the iteration. A pointer may remain in
+ * a variable only if the variable is not used outside of the body. */
 static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     for (unsigned i = 0; i < s->bindings.count; i++)
         if (s->bindings.items[i].value.kind == VALUE_POINTER) {
@@ -219,8 +219,8 @@ static bool bind_constant(ir_node *node, void *context) {
     return true;
 }
 
-/* Binds constants that are declared outside the body with their values, as in
- * `const int dimension = 3`. */
+/* Binds variables that are declared outside the body as constants, as in `const int dimension = 3`,
+ * to their values. */
 static void bind_constants(const run *r, const ir_node *body, state *head) {
     constants known = {r->prover->scratch, body, head};
     ir_walk(r->function->body, bind_constant, &known);

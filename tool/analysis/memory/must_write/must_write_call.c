@@ -228,8 +228,8 @@ static const ir_function *called_function(const ir_node *node) {
     return callee->kind == IR_FUNCTION ? callee->function : NULL;
 }
 
-/* The argument's value as the parameter has it. value_other for an integer that the conversion to
- * the parameter's type may change. */
+/* Returns the value that the parameter gets from an argument with the value `v`. Returns
+ * value_other for an integer that the conversion to the parameter's type may change. */
 static value as_parameter(const ir_function *function, unsigned index, value v) {
     if (v.kind != VALUE_INTEGER)
         return v;

@@ -104,8 +104,8 @@ static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *
     return true;
 }
 
-/* Adds the counters a and b, which the writer's and the reader's header set to equal values.
- * Returns false if this is not so. */
+/* Adds the pair of counters a and b if the writer's header sets a, and the reader's header sets b,
+ * to equal values. Returns false if they do not. */
 static bool add_counter(twin_loops *twins, const ir_variable *a, const ir_node *start,
                         const ir_variable *b, const ir_node *other) {
     if (twins->counter_count == MOST_COUNTERS || !is_plain(twins->r, a) || !is_plain(twins->r, b) ||
@@ -197,8 +197,8 @@ static bool may_jump(const ir_node *node) {
     return ir_is_jump(node) || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
-/* Are both the same element w[k], p[k] or *p? A pointer stepped there (*p++) counts with the value
- * before the step. */
+/* Are both the same element w[k], p[k] or *p? If a pointer is stepped in the expression (*p++), its
+ * value before the step is compared. */
 static bool same_element(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     const bool is_indexed = a->kind == IR_INDEX;
     if (a->kind != b->kind || a->op != b->op || !ir_type_equal(a->type, b->type))
@@ -237,9 +237,9 @@ static bool are_twins(twin_loops *twins, const ir_node *read) {
     return false;
 }
 
-/* Does a writer precede the loop around the read? It must be an earlier statement of a block around
- * that loop, so that control reaches the loop only through it. Blocks of a switch are skipped,
- * because a case may jump past the writer. */
+/* Does a writer precede the loop `reader`? The writer must be an earlier statement of a block
+ * around that loop, so that control reaches the loop only through the writer. Blocks of a switch
+ * are skipped, because a case may jump past the writer. */
 static bool has_writer(const run *r, const ir_node *reader, const ir_node *read) {
     for (const ir_node *at = reader; at != r->body; at = at->parent) {
         const ir_node *block = at->parent;

@@ -78,7 +78,7 @@ value run_give_up(run *r, const ir_node *node, const char *why);
  *  are left. */
 bool run_step(run *r, const ir_node *node, unsigned steps);
 
-/** Notes that the bytes may be read at this point. */
+/** Note that the bytes [begin, end), or the set `bytes`, may be read at this point. */
 void run_read(run *r, const state *s, const ir_node *node, int64_t begin, int64_t end);
 void run_read_set(run *r, const state *s, const ir_node *node, byte_set bytes);
 /** Notes a write: of all these bytes if is_exact, otherwise of some of them. */
@@ -90,9 +90,9 @@ value run_convert(run *r, const ir_node *node, value v, const ir_type *type);
 /** Does the expression contain an assignment, an increment, a call or an opaque node? */
 bool run_has_effects(run *r, const ir_node *node);
 
-/** State for operands that C evaluates in an unspecified order: in f[0] + set(f), the read must not
- *  rely on a write by the other operand. Each operand is therefore evaluated in the state before
- *  all of them. */
+/** State for operands that C evaluates in an unspecified order. In f[0] + set(f), the read must not
+ *  rely on a write by the other operand. Each operand is therefore evaluated in the state from
+ *  before all of them. */
 typedef struct unsequenced {
     bool is_needed;
     byte_set before, all;
@@ -114,7 +114,8 @@ typedef struct place {
     bool is_exact; /* for PLACE_OBJECT: it is at `offset`. If false, it is somewhere in [begin,
                     * end) */
     int64_t offset;
-    int64_t begin, end;          /* the part of the object that an unknown subscript may reach */
+    int64_t begin, end;          /* for PLACE_OBJECT: the part of the object in which the place may
+                                  * be, if a subscript is unknown */
     const ir_variable *variable; /* for PLACE_LOCAL; NULL otherwise */
 } place;
 
@@ -136,11 +137,11 @@ bool run_repeats_write(const run *r, const ir_node *read);
 value run_evaluate(run *r, state *s, const ir_node *expression);
 /** Evaluates an expression whose value is not used, as in x; or (void)x; */
 void run_discard(run *r, state *s, const ir_node *expression);
-/** Same as run_evaluate, but a pointer into the object as the value ends the interpretation,
- *  because it could not be tracked there. */
+/** Same as run_evaluate, but ends the interpretation if the value is a pointer into the object,
+ *  because such a pointer could not be tracked where this value goes. */
 void run_evaluate_closed(run *r, state *s, const ir_node *expression);
-/** Ends the interpretation if C text that the tree does not show (the length in an array type) may
- *  read the object. */
+/** Ends the interpretation if C text that the tree does not show may read the object. Such text is
+ *  the length in the array type `type`. */
 void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type *type);
 void run_initialise(run *r, state *s, const ir_node *declarator);
 value run_call(run *r, state *s, const ir_node *call);

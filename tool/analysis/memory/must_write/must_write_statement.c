@@ -17,8 +17,8 @@ static void join(run *r, const ir_node *node, state *s, const state *other) {
         state_join(r->prover->scratch, s, other);
 }
 
-/* Joins the state into `to`, to which control jumps. The text that follows is not reached from
- * here. */
+/* Joins the state `s` into `to`, the state at the jump's target. Control then does not reach the
+ * text after the jump from here. */
 static void jump(run *r, const ir_node *node, state *s, state *to) {
     if (to == NULL) {
         run_give_up(r, node, "a jump leaves the analysed code");

@@ -20,8 +20,8 @@ static const ir_node *value_set_by(const ir_node *statement, const ir_variable *
                : NULL;
 }
 
-/* In a block of a switch, a case label may let control reach the loop without executing the
- * statement. */
+/* Returns NULL in a block of a switch, because a case label there may let control reach the loop
+ * without executing the statement. */
 const ir_node *start_before(const ir_node *loop, const ir_variable *variable, unsigned *number) {
     const ir_node *block = loop->parent;
     unsigned i = 0;
