@@ -72,9 +72,7 @@ static inline bool redcc_float_traps(struct float_control own) {
 /** Sets the calling thread's state, except its sticky exception flags. */
 static inline void redcc_float_control_take(struct float_control wanted) {
     redcc_rights_set(wanted.rights);
-    redcc_use_locale(
-        wanted
-            .locale); /* also if it is the current locale, because the thread's tables may differ */
+    redcc_use_locale(wanted.locale); /* even if it is the same, its tables may differ */
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
