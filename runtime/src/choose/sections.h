@@ -21,8 +21,8 @@ struct sections {
     struct plan *plan[2]; /* the last plan for one thread, and the last plan for several threads */
     struct paired_timing pace[SECTION_SIZES]; /* by trip count: times of several threads (arm 0) and
                                                  of one thread (arm 1) */
-    bool met[SECTION_SIZES][2];   /* was the loop executed by several threads (0), by one (1)? Then
-                                     all memory exists */
+    bool met[SECTION_SIZES]
+            [2]; /* was the loop run by several threads (0), by one (1)? Then all memory exists */
     unsigned rest[SECTION_SIZES]; /* number of calls since several threads and one thread were last
                                      compared */
 };

@@ -37,8 +37,8 @@ struct plan {
     uint32_t *group_of; /* [array_count] as in struct partition */
     ptrdiff_t *shift;   /* [array_count] distance in bytes from the base of the array's group to the
                            array's own base */
-    struct offsets *
-        touched; /* [array_count] the touched range of each group, in bytes from the group's base */
+    struct offsets
+        *touched; /* [array_count] the touched range of each group, relative to the group's base */
     /* [array_count * (owners + 1)] In group g, owner o has the bytes from bound[k] to before
      * bound[k + 1], where k = g * (owners + 1) + o, relative to the group's base. Unused with a map
      * */
@@ -52,9 +52,9 @@ struct plan {
     struct rounding
         *rounding; /* [array_count] rounding errors of each group, for compensated sums; or NULL */
     struct copies copies;
-    redcc_int executed; /* number of executed iterations; an iteration counts once for each thread
-                           that executes it */
-    redcc_int length;   /* the makespan, in iterations (length.h) */
+    redcc_int
+        executed; /* number of executed iterations; each counts once per thread that executes it */
+    redcc_int length; /* the makespan, in iterations (length.h) */
 };
 
 /** The index of a thread's own schedule; its stealable schedules, if any, follow. */
