@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Forces and energy of a Lennard-Jones liquid, from neighbour lists in which each pair occurs
  * once. In the version by hand, each thread owns a share of the atoms, and skips rows that contain
- * none of them. Energies are stored first, and then added up in the order of the sequential loop.
- * */
+ * none of them. Energies are stored first, and then added up in the order of the sequential
+ * loop. */
 #include "meet.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Counters of each loop, and the report that REDCC_REPORT requests: a JSON object written at exit.
- * */
+/** Counters of each loop, and the report that REDCC_REPORT requests: a JSON object written at
+ * exit. */
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 

@@ -82,8 +82,8 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* The estimated seconds of all calls before this one, at most `enough`: the time recorded at the
- * last timing, plus `seconds` (the time of this call) for each call in between. */
+/* The estimated seconds of all calls before this one, at most `enough`: the estimate at the last
+ * timing, plus `seconds` (the time of this call) for each call since. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
     return timed + (between < left ? between : left);

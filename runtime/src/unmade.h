@@ -24,8 +24,8 @@ bool redcc_unmade_call(void **state, redcc_int trip);
 
 /** Records that an execution of `trip` iterations took `seconds`. Returns 0 if the loop is not
  * worth a state yet. Otherwise the caller must create the state. The result is then the number of
- * executions that `seconds` represents: this one, and earlier ones whose time was estimated by it.
- * */
+ * executions that `seconds` represents: this one, and earlier ones whose time was estimated by
+ * it. */
 int redcc_unmade_timed(void **state, redcc_int trip, double seconds);
 
 #endif

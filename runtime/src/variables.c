@@ -67,8 +67,8 @@ bool redcc_any_variable(void) {
     return false;
 }
 
-/* Reports an unknown variable, unless it may be a misspelt build variable. Building reports those.
- * */
+/* Reports an unknown variable, unless it may be a misspelt build variable. Building reports
+ * those. */
 static void note_if_unknown(const char *name) {
     const size_t nearest = redcc_spelling_nearest(name, names, NAMES);
     const size_t distance = redcc_spelling_distance(name, names[nearest]);

@@ -20,9 +20,9 @@
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)) / (redcc_step)) + 1    \
          : 0)
 
-/** The number of blocks. REDCC_BLOCKS_LONG is for loops of long iterations. REDCC_BLOCKS_SHORT
- * returns redcc_max, or a smaller power of two so that each block has at least 64 iterations (one
- * block may have fewer). With a power of two, 2, 4 or 8 threads get equal shares. */
+/** The number of blocks, at most redcc_max. REDCC_BLOCKS_LONG is for loops of long iterations.
+ * REDCC_BLOCKS_SHORT is redcc_max or a smaller power of two: several blocks have at least 64
+ * iterations each. With a power of two, 2, 4 or 8 threads get equal shares. */
 #define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
     ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
 #define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)

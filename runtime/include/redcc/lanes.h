@@ -208,7 +208,7 @@ REDCC_INLINE int redcc_block_fill(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** Slice and body for one iteration, each compiled once as a function of its own. The scalar body
+/** Slice and body for one iteration, each compiled once, as a separate function. The scalar body
  * executes all iterations, owner-checked or not, if the processor lacks AVX2 or REDCC_LANES=off is
  * set. */
 #define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE

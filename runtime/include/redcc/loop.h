@@ -279,8 +279,8 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         __builtin_unreachable();
 }
 
-/** Follows the original loop: if loops are being timed, tells the runtime that this one has ended.
- * */
+/** Follows the original loop: if loops are being timed, tells the runtime that this one has
+ * ended. */
 #define REDCC_OVER(redcc_site)                                                                     \
     do {                                                                                           \
         const redcc_calls *const redcc__calls =                                                    \

@@ -25,8 +25,8 @@ enum { redcc__prefetches = 0 };
  * shuffled data. */
 #define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
-/* redcc_prefetch_line: size of a cache line in bytes. redcc_prefetch_most: at most so many bytes at
- * the beginning of a row are prefetched, because hardware prefetchers detect longer sequences. */
+/* redcc_prefetch_line: size of a cache line in bytes. redcc_prefetch_most: maximum number of bytes
+ * at the beginning of a row that are prefetched; hardware prefetchers detect longer sequences. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
 /** Prefetches a row. The address need not be valid. */

@@ -197,8 +197,8 @@ static __inline__ int redcc_is_worth_entering(redcc_int trip) {
 }
 
 /* Exact integer arithmetic before redcc_enter. It computes addresses of subscripts that may wrap
- * around in C, or that the program does not compute itself. Each function sets *lost on overflow.
- * */
+ * around in C, or that the program does not compute itself. Each function sets *lost on
+ * overflow. */
 
 static __inline__ redcc_int redcc_exact_sum(redcc_int left, redcc_int right, int *lost) {
     redcc_int sum;

@@ -133,8 +133,8 @@ typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void
 enum {
     /** The subscripts depend only on the key, the trip count and the sources marked
      * REDCC_IS_SUBSCRIPT, so a plan may be reused while these are unchanged. The sources are listed
-     * in the order in which the slice reads them. Without this flag every execution inspects again.
-     * */
+     * in the order in which the slice reads them. Without this flag every execution inspects
+     * again. */
     REDCC_VERIFIABLE = 1,
     /** The order was named explicitly at translation, not by default. */
     REDCC_ORDER_EXPLICIT = 2,
@@ -193,8 +193,8 @@ enum {
     REDCC_SECTIONED = 16777216,
     /** An update might change a value that the executor reads before the loop (a bound of the
      * counter, a variable that is copied), or an element that is stored after the loop. So no
-     * update may be made, not even in sequential order, before it is known that no update does so.
-     * */
+     * update may be made, not even in sequential order, before it is known that no update does
+     * so. */
     REDCC_WHOLE = 33554432,
     /** Iterations are long, so the first ones may be executed in order before the loop is
      * inspected. The remaining iterations are then executed as the same loop with a later first
@@ -389,8 +389,8 @@ enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 /** A stream: updates that must be applied in order. These are all updates of an array, or of
  * several arrays that are updated at one subscript. */
 typedef struct redcc_stream {
-    /** Applies records by executing the statements of the loop's updates. Writes only to the rows.
-     * */
+    /** Applies records by executing the statements of the loop's updates. Writes only to the
+     * rows. */
     void (*apply)(const redcc_applied *applied);
     redcc_u32 array_count;                 /**< 1 to REDCC_STREAM_ARRAYS */
     redcc_u32 arrays[REDCC_STREAM_ARRAYS]; /**< their indices in the loop's arrays; no array is in
@@ -487,7 +487,7 @@ typedef struct redcc_before_calls {
     int (*is_alone)(redcc_loop *loop);
     /** May pointers that the loop reads only under conditions be loaded before the loop? 0: not in
      * this execution, because such loads would cost too much time in a loop that is executed this
-     * often. */
+     * often. *last is the time of the last call, and is updated. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Copies `bytes` bytes from `from` to `to` and returns 1; returns 0 if they are not readable.
      * Never faults. */

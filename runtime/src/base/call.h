@@ -11,8 +11,8 @@
 
 struct method;
 
-/** The arguments of redcc_enter. The loop's state owns copies of the arrays, except of `sections`.
- * */
+/** The arguments of redcc_enter. The loop's state owns copies of the arrays, except of
+ * `sections`. */
 struct request {
     const redcc_loop *loop;
     redcc_int trip;

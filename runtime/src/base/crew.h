@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A crew is the team of one of the program's own OpenMP regions, all of whose threads reach the
- * same loop (`omp for`). The first thread executes the loop. The other threads wait, and help to
- * execute the regions that the runtime opens for the loop. So these regions need no more threads.
+ * A crew is the team of one of the program's own OpenMP regions, if all threads of the team reach
+ * the same loop (`omp for`). The first thread executes the loop. The other threads wait, and help
+ * to execute the regions that the runtime opens for the loop. So these regions need no more
+ * threads.
  */
 #ifndef REDCC_BASE_CREW_H
 #define REDCC_BASE_CREW_H

@@ -126,7 +126,8 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     return allowed && covered >= pages.end;
 }
 
-/* Is it certain that nobody writes to memory, or disturbs the tracking, through this descriptor? */
+/* Is it certain that no other process writes to memory, or disturbs tracking, through this
+ * descriptor? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);

@@ -11,8 +11,8 @@
 #include "base/lines.h"
 #include "base/range.h"
 
-/** The object that a mapping makes visible: a file, a System V segment, or anonymous shared memory.
- * */
+/** The object that a mapping makes visible: a file, a System V segment, or anonymous shared
+ * memory. */
 struct object {
     uint64_t device;
     uint64_t inode; /* 0: there is no object, and the memory is the mapping's own */

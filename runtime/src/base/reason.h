@@ -2,8 +2,8 @@
 #ifndef REDCC_REASON_H
 #define REDCC_REASON_H
 
-/** Reasons why a loop ran sequentially. Each has an identifier, a slug, and a text for the report.
- * */
+/** Reasons why a loop ran sequentially. Each has an identifier, a slug, and a text for the
+ * report. */
 #define REDCC_REASON_LIST(X)                                                                       \
     X(REASON_NONE, "", "")                                                                         \
     X(REASON_NAMED, "named-serial", "REDCC_METHOD says serial")                                    \

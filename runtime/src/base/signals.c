@@ -62,8 +62,8 @@ static bool is_on_other_stack(void) {
 /* Is the word at `at` a handler's return address, with the interrupted context above it
  * (sigreturn(2), struct rt_sigframe)? The return address alone proves nothing, since the stack may
  * hold old contents. The context has a null link and the interrupted stack pointer, which lies
- * above this frame. In its processor flags, bit 1 is always set, and bits 22 and above never are.
- * */
+ * above this frame. In its processor flags, bit 1 is always set, and bits 22 and above never
+ * are. */
 NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
     enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
     return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&

@@ -53,8 +53,7 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
     return first;
 }
 
-#else /* on other processors there is no alternative to the library's function under its public    \
-         name */
+#else /* there is no alternative to the library's function under its public name */
 
 #include <errno.h>
 #include <unistd.h>
@@ -93,8 +92,8 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes);
 
 #endif
 
-/** Maps `bytes` bytes of memory (a multiple of the page size), which are all zero. NULL on failure.
- * */
+/** Maps `bytes` bytes of memory (a multiple of the page size), which are all zero. NULL on
+ * failure. */
 void *redcc_system_map(size_t bytes);
 
 /** Unmaps memory of redcc_system_map. */

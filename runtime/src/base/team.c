@@ -197,8 +197,8 @@ static int count_tasks(void) {
     return (int)tasks.stx_nlink - LINKS;
 }
 
-/* Finds out how many of `more` threads OpenMP could start, by starting as many as possible. All of
- * these threads have ended on return. */
+/* Finds out how many of `more` threads OpenMP could start, by starting them. All of these threads
+ * have ended on return. */
 static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};

@@ -167,8 +167,8 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
 }
 
 /* Merges this thread's share of the changed rows of all threads' copies, one copy after the other.
- * Only changed rows are merged, because other rows of the window may lie beyond the array's ends.
- * */
+ * Only changed rows are merged, because other rows of the window may lie beyond the array's
+ * ends. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct row_range changed = binning->stream[s].changed;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * In-order binning (propagation blocking): an executor without an inspection, for loops whose
- * subscripts change. The iterations are executed in rounds, each in these phases:
+ * subscripts change. The iterations are executed in rounds. The phases are:
  *
- *     measure  without prior information: executes some iterations, to count rows and records
- *     push     each thread executes its share of the round's iterations, piece by piece, then
- *              pieces of other shares, and appends a record of each update to the bin of its
- *              row; the arrays are not written
- *     guard    do the round's reads overlap the ranges it will write? (one thread)
- *     apply    one thread takes each bin and applies its records: the first piece's, the second's,
+ *     measure  before the first round, if nothing is known: counts rows and records of some
+ * iterations push     each thread executes its share of the round's iterations, piece by piece,
+ * then pieces of other shares, and appends a record of each update to the bin of its row; the
+ * arrays are not written guard    do the round's reads overlap the ranges it will write? (one
+ * thread) apply    one thread takes each bin and applies its records: the first piece's, the
+ * second's,
  *              ..., each in the order they were appended
  *
  * So each element gets its updates in the order of the loop, with any number of threads. If records
@@ -106,7 +106,7 @@ struct bins_trial {
     double usual;    /* seconds per iteration of the sequential loop, as known before the trial; 0:
                         unknown */
     double began;    /* when the trial began, on the clock of redcc_seconds */
-    double pushes;   /* with REDCC_WHOLE, where there is only one round: when pushing began */
+    double pushes;   /* with REDCC_WHOLE, which has only one round: when pushing began */
     bool is_late;    /* pushing that round takes too long */
     redcc_int stretch; /* number of iterations that the trial executes sequentially */
     double sequential; /* seconds that these iterations took; while they run, the time at which they

@@ -190,9 +190,9 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: as many as are done so far. It is fewer if the
- * trial, at the same loss per iteration, would exceed the time that it may lose, but at least trip
- * / TRIED. */
+/* The number of iterations of a trial's next round: usually the number of iterations done so far.
+ * It is smaller if the trial, at the same loss per iteration, would exceed the time that it may
+ * lose, but at least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;
@@ -352,9 +352,9 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Begins a stretch, which is executed sequentially and has as many iterations as the first round.
- * Comparing the two times shows what that round has gained, even if the loop's speed differs from
- * that of earlier executions. */
+/* Begins a stretch, which is executed sequentially and has the same number of iterations as the
+ * first round. Comparing the two times shows what that round has gained, even if the loop's speed
+ * differs from that of earlier executions. */
 static enum bins_phase begin_stretch(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int left = binning->call->request.trip - round->begin;

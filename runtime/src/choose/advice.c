@@ -235,8 +235,8 @@ static double time_of_slice(const struct inspection *inspection) {
     return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
 }
 
-/* Those findings that can be computed both after the sample and after all iterations were recorded.
- * */
+/* Those findings that can be computed both after the sample and after all iterations were
+ * recorded. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -520,8 +520,8 @@ static bool goes_without_stealing(const struct chooser *chooser,
 }
 
 /* Would executing levels be faster than executing by the owners that the access graph gave?
- * Computes the levels to decide, but only if these owners are unbalanced and the deadline permits.
- * */
+ * Computes the levels to decide, but only if these owners are unbalanced and the deadline
+ * permits. */
 static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;

@@ -36,8 +36,8 @@ static void by_copies(const struct findings *it, struct arm *arm) {
 }
 
 /* Estimates owners by address. If an iteration touches other owners than the iteration before, it
- * begins a new run, and must check the owner of each row that it writes. Therefore it costs more.
- * */
+ * begins a new run, and must check the owner of each row that it writes. Therefore it costs
+ * more. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
     const double swept = recording(it) + it->runs * 2 * LEARN_ROW;

@@ -17,8 +17,7 @@ struct findings {
     double touches;      /**< number of touches per iteration */
     double leading_rows; /**< number of different rows of the leading group per iteration */
     double further_rows; /**< number of different rows of the other groups per iteration */
-    /** seconds of an iteration's slice; 0: unknown, or about as long as estimated from the touches
-     * */
+    /** seconds of an iteration's slice; 0: unknown, or about as estimated from the touches */
     double slice;
     double
         runs; /**< fraction of the iterations that touch other owners than the iteration before */

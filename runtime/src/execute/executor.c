@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The executor, which is the same for all methods: redcc_next hands out chunks, waits between
- * stages, and merges copies. What it does depends on the thread's step:
+ * stages, and merges copies. The steps of a thread are:
  *
  *     STEP_BEGIN: the first call; continues with
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
@@ -476,8 +476,8 @@ static int next_chunk(redcc_worker *worker) {
 /* Mathematical functions set errno of the calling thread to EDOM or ERANGE. run->error has the
  * errno of the last chunk, in the order of the loop, in which this happened, coded as 2 * (end + 1)
  * + (ERANGE ? 1 : 0); `end` is one past the chunk's last iteration. If iterations in several
- * threads fail with different errors, the stored error may differ from that of the sequential loop.
- * */
+ * threads fail with different errors, the stored error may differ from that of the sequential
+ * loop. */
 void redcc_note_error(struct run *run, redcc_int end) {
     assert(end >= 0);
     const int error = errno;

@@ -59,8 +59,8 @@ static uint64_t bits_between(redcc_int begin, redcc_int end, redcc_int first) {
     return (high >= WORD ? UINT64_MAX : ((uint64_t)1 << high) - 1) & UINT64_MAX << low;
 }
 
-/* Stores the classes as bits. Of the iterations that touch nothing, the thread executes only those
- * in [idle_begin, idle_end). */
+/* Stores the classes as bits. The thread does not execute an iteration that touches nothing, unless
+ * it is in [idle_begin, idle_end). */
 static void set_bits(struct selection *selection, const redcc_worker *worker) {
     for (redcc_int w = 0; w < REDCC_SELECTED_WORDS; w++) {
         const redcc_int first = worker->first + w * WORD;

@@ -3,7 +3,7 @@
 
 #include <assert.h>
 
-/* The smallest number of iterations of a timing slice. With so many, a slice takes at least some
+/* The smallest number of iterations of a timing slice. A slice then takes at least some
  * microseconds. */
 enum { LEAST_PART = 512 };
 

@@ -113,15 +113,15 @@ struct inspection {
 
 /** Begins an inspection. is_direct: threads will find their iterations during execution. Then
  * owners kept from an earlier execution are used, if there are any; in all other cases, auto may
- * cut stealable blocks. Returns false if out of memory. Call redcc_inspection_end in either case.
- * */
+ * cut stealable blocks. Returns false if out of memory. Call redcc_inspection_end in either
+ * case. */
 bool redcc_inspection_begin(struct inspection *inspection, bool is_direct);
 
 /** Sets the number of owners for which the sample cuts the arrays. */
 void redcc_inspection_set_owners(struct inspection *inspection);
 
-/** Frees the inspection and its inspectors, except for owners that are kept for later executions.
- * */
+/** Frees the inspection and its inspectors, except for owners that are kept for later
+ * executions. */
 void redcc_inspection_end(struct inspection *inspection);
 
 /** Has the inspection taken longer than auto allows? */
@@ -133,8 +133,8 @@ bool redcc_inspection_is_late(const struct inspection *inspection);
 bool redcc_inspection_will_be_late(const struct inspection *inspection, double done);
 
 /** If there is a deadline, the clock is first read after 16 iterations, because iterations may be
- * long. The intervals then double, up to 16384 iterations. With short iterations, so many take 50
- * microseconds to a millisecond. */
+ * long. The intervals then double, up to 16384 iterations, which take 50 microseconds to a
+ * millisecond if iterations are short. */
 enum { REDCC_FIRST_BEFORE_DEADLINE = 16, REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
 static inline redcc_int redcc_next_before_deadline(redcc_int block) {
     return block < REDCC_BLOCK_BEFORE_DEADLINE ? 2 * block : block;
@@ -200,8 +200,8 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
 bool redcc_timing_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
-/** The seconds that an iteration's slice takes if its data are in the caches; 0: it was not timed.
- * */
+/** The seconds that an iteration's slice takes if its data are in the caches; 0: it was not
+ * timed. */
 double redcc_slice_seconds(const struct inspection *inspection);
 
 /** Processes the entries up to `end`. Entries of timed iterations are ignored. */
@@ -242,8 +242,8 @@ double redcc_sweep_close(const struct inspection *inspection, struct inspector *
 double redcc_sweep_done(const struct inspection *inspection);
 
 /** Called when all iterations are recorded: computes the ranges that are touched and read, and
- * checks the overlap guard. Returns REASON_NONE, or the reason why the loop must run sequentially.
- * */
+ * checks the overlap guard. Returns REASON_NONE, or the reason why the loop must run
+ * sequentially. */
 enum reason redcc_sweep_finish(struct inspection *inspection);
 
 /* ---- log and partition (logging.c) ----------------------------------------------------------- */

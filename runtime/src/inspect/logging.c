@@ -2,8 +2,8 @@
 /** The access log: a sweep that stores all touches. The log is used to choose owners
  * (ownership/graph/divide.h) or to assign iterations to levels (ownership/graph/levels.h). Units
  * are numbered before the sweep, over a range slightly larger than that of the sample. If a touch
- * lies outside of this range, the sweep is repeated with the range that the first sweep has found.
- * */
+ * lies outside of this range, the sweep is repeated with the range that the first sweep has
+ * found. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"

@@ -25,12 +25,12 @@ enum {
     /* number of iterations per owner: the smallest sample, if time permits, and the largest one if
      * a single thread takes the sample only for an estimate */
     SAMPLED_FOR_A_LOOK = 128,
-    SAMPLED_OF = 16,      /* one iteration in this many is sampled, within the other limits. If more
-                             were, the sample of a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128,   /* as SAMPLED_OF, for a sample that is only for an estimate. It has fewer
-                             iterations, because those of a short loop may be long */
-    LOOKED_AT_LEAST = 16, /* minimum number of iterations per owner for an estimate */
-    SAMPLED_MOST = 8192,  /* maximum number of iterations */
+    SAMPLED_OF = 16,    /* one iteration in this many is sampled, within the other limits; a larger
+                           sample of a short loop would cost more than the loop */
+    LOOKED_AT_OF = 128, /* as SAMPLED_OF, for a sample that is only for an estimate. It has fewer
+                           iterations, because if the trip count is small, iterations may be long */
+    LOOKED_AT_LEAST = 16,            /* minimum number of iterations per owner for an estimate */
+    SAMPLED_MOST = 8192,             /* maximum number of iterations */
     SAMPLED_TOUCHES = 32768,         /* number of touches kept if there are few owners */
     SAMPLED_TOUCHES_AN_OWNER = 2048, /* number of touches kept per owner if there are many owners */
     SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* maximum number of touches kept */

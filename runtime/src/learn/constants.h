@@ -75,7 +75,7 @@
  * must allocate a page for the byte. Reading and comparing a byte takes a third to a half of this
  * (0.05 to 0.07 ns). */
 #define LEARN_BYTE 0.15e-9
-/** Seconds lost by tracking a page in vain: protecting it takes 0.1 microseconds, and the first
+/** Seconds lost by useless tracking of a page: protecting it takes 0.1 microseconds, and the first
  * write to it 1.3 microseconds more. For comparison, hashing its 4096 bytes takes 0.12 microseconds
  * (35 GB/s). */
 #define LEARN_PAGE 1.45e-6

@@ -94,7 +94,7 @@ static bool are_stable(const struct choice *c) {
 
 /* Seconds that a plan construction will still take, including starting threads. At least half of
  * the inspection's cost, without its dry run and waits, is assumed to remain. If the subscripts are
- * new in each call, the slice is assumed to take as long as the body. */
+ * new and no construction was measured, the slice is assumed to take as long as the body. */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
     const double all = it->learned > 0 ? it->learned : it->set_up;

@@ -149,8 +149,8 @@ struct comparison {
 
 /** The plan constructions at trip counts of one size. */
 struct set_ups {
-    double since; /* seconds that the sequential loop has taken, or would have taken, since the last
-                     construction */
+    double since;  /* seconds since the last construction that the sequential loop has taken, or
+                      would have taken in parallel executions */
     double factor; /* multiple of a construction's estimated cost that `since` must reach before the
                       next construction; 0: the initial multiple */
     double invested; /* seconds that the last construction took */
@@ -191,8 +191,8 @@ struct size_state {
 struct ledger {
     double sequential; /* time that the sequential loop has taken, or would have taken */
     double overhead;   /* time taken in addition to that; negative: time gained */
-    double overdraft;  /* time that may be lost beyond the credit. It ends when it is repaid or the
-                          plan fails */
+    double overdraft; /* seconds that may be lost beyond the credit; 0 again once they are repaid or
+                         the plan fails */
 };
 
 enum { REDCC_SIZES = 40 };
@@ -265,8 +265,7 @@ double redcc_usual(const struct size_state *size);
  * loop's present time, because they are based on the first execution, which takes longer. */
 double redcc_expected(const struct size_state *size, enum way way);
 
-/** Is that strategy possible, and is it worth a trial if an iteration takes `current` seconds now?
- * */
+/** Is that strategy possible, and worth a trial if an iteration now takes `current` seconds? */
 bool redcc_is_better(const struct size_state *size, enum way way, double current);
 
 /** The number of consecutive plan constructions that did not pay, including the last one. */

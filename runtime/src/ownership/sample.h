@@ -29,8 +29,8 @@ struct sample {
 };
 
 /** Makes an empty sample of at most `capacity` touches. `first` is the number of sampled iterations
- * before the thread's share. Returns false if out of memory. Call redcc_sample_end in either case.
- * */
+ * before the thread's share. Returns false if out of memory. Call redcc_sample_end in either
+ * case. */
 bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first);
 
 /** Frees the sample's memory. */

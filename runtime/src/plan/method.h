@@ -81,8 +81,8 @@ struct method {
 
     /** OPTIONAL; the number of teams of threads, 1 to `threads`. Default: 1. */
     int (*teams)(int threads, int parameter);
-    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`. With
-     * `steals`, there are also their stealable blocks. */
+    /** OPTIONAL; the number of owners for which the arrays are cut. Without this function there are
+     * `threads` owners and, with `steals`, their stealable blocks. */
     uint32_t (*owners)(int threads, int parameter);
     /** OPTIONAL; the number of flags by which the method's tasks synchronise. */
     uint32_t (*flags)(uint32_t owners);

@@ -19,11 +19,12 @@ bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stea
                         unsigned char *part);
 
 /**
- * Greedy refinement (after Kernighan-Lin and Fiduccia-Mattheyses) in at most `rounds` rounds. Moves
- * each of the `count` nodes in `list` that is in a part from `low` to before `high` to the one of
- * these parts to which it has the strongest edges, if that part has room. A node also moves to a
- * part with equally strong edges if that balances the loads, and out of a part that is above its
- * limit. load[high] has the weights of the parts, and is updated; most[high] has their limits.
+ * Greedy refinement (after Kernighan-Lin and Fiduccia-Mattheyses) in at most `rounds` rounds. It
+ * considers the `count` nodes in `list` whose parts are from `low` to before `high`. It moves a
+ * node to the part, among these, to which the node has the strongest edges, if that part has room.
+ * A node also moves to a part with equally strong edges if that balances the loads, and out of a
+ * part that is above its limit. load[high] has the weights of the parts, and is updated; most[high]
+ * has their limits.
  */
 void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
                   unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,

@@ -138,8 +138,8 @@ static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
 }
 
 /* Follows the choices from this node on, up to a node that has chosen itself or is in a cluster
- * already. Assigns the nodes on this path to clusters, from the path's last node back to its first.
- * */
+ * already. Assigns the nodes on this path to clusters, from the path's last node back to its
+ * first. */
 static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
     enum { PATH = 64 };
     uint32_t path[PATH], length = 0, cluster = NOTHING;
