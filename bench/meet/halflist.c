@@ -9,8 +9,7 @@
 
 enum { SIDE = 56, ATOMS = SIDE * SIDE * SIDE / 4, MOST = 40 };
 
-static int *start, *list,
-    *last; /* last: for the loop by hand, the greatest neighbour of each atom */
+static int *start, *list, *last; /* last: each atom's greatest neighbour, for the loop by hand */
 static double (*at)[3], (*force)[3], *energy; /* energy points to the element after the forces */
 
 #ifndef BY_HAND

@@ -2,7 +2,7 @@
 /**
  * Compressible flow over a bump, by finite volumes on an unstructured mesh of triangles.
  *
- * euler SIDE STEPS >flow
+ *   euler SIDE STEPS >flow
  *
  * A channel 3 SIDE x SIDE nodes large, with a bump on its floor, is cut into triangles. The median
  * dual around each node is a control volume: a list of edges, each with its two nodes and a normal,
@@ -31,8 +31,7 @@ static double (*normal)[2]; /* normal of the dual face between an edge's nodes, 
 static int *wall, *far_node;
 static double (*wall_normal)[2], (*far_normal)[2]; /* outward normals at the boundary */
 static double (*q)[4], (*q0)[4], (*res)[4],
-    *speed; /* q: density, momentum (2 components), energy; q0: q before the step; res: residual;
-               speed: sums of wave speeds */
+    *speed; /* q: density, momentum (2), energy; q0: q before the step; res: residual */
 
 static void *allocate(size_t count, size_t size) {
     void *memory = calloc(count, size);

@@ -2,7 +2,7 @@
 /**
  * Fairing of a scanned surface: mean curvature flow removes noise from a triangle mesh.
  *
- * fairing LEVELS STEPS >surface
+ *   fairing LEVELS STEPS >surface
  *
  * An icosahedron, whose triangles are cut into four LEVELS times, becomes a sphere of 10 * 4^LEVELS
  * + 2 vertices, numbered in the order of their creation. Bumps and noise are added. Each step

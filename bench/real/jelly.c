@@ -2,7 +2,7 @@
 /**
  * A block of jelly that falls on its edge: large deformations of tetrahedra, explicit in time.
  *
- * jelly SIDE STEPS >motion
+ *   jelly SIDE STEPS >motion
  *
  * A block of SIDE^3 cubes, each cut into five tetrahedra, is tilted above a floor. The material is
  * stable Neo-Hookean, with viscous damping. Each step adds the forces of all tetrahedra to their

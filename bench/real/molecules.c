@@ -2,7 +2,7 @@
 /**
  * Molecular dynamics of a Lennard-Jones liquid, in reduced units.
  *
- * molecules CELLS STEPS >trajectory
+ *   molecules CELLS STEPS >trajectory
  *
  * A periodic cube of 4 CELLS^3 atoms starts as a face-centred lattice with small random velocities.
  * The velocity Verlet method integrates the motion. Forces are computed from a neighbour list,

@@ -175,10 +175,9 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
-    const bool built = execution->inspected &&
-                       !plan->method->selects; /* `auto` keeps no plan of a method that selects
-                                                  iterations during execution, so the time of its
-                                                  construction counts as a part of the execution */
+    const bool built =
+        execution->inspected && !plan->method->selects; /* `auto` keeps no plan of a method that
+                                                           selects iterations during execution */
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),

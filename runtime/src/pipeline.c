@@ -265,8 +265,7 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
 static enum stage choose_method(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     if (inspection->route == ROUTE_COPIES && !redcc_copies_allowed(inspection)) {
-        inspection->no_copies =
-            true; /* the range that all iterations touch is larger than it was in the sample */
+        inspection->no_copies = true; /* all iterations touch a larger range than the sample did */
         return cut(execution);
     }
     const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);

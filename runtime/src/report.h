@@ -42,8 +42,7 @@ struct counted_text {
 struct last_execution {
     redcc_int stages;
     redcc_int trip;
-    redcc_int
-        length; /* the makespan in iterations: no execution by these threads can take less time */
+    redcc_int length; /* the makespan in iterations, a lower bound of the time */
     bool compensated; /* sums were compensated */
     int lanes;        /* number of iterations executed at once; 0: one by one */
     enum lanes_reason lanes_reason;

@@ -226,8 +226,7 @@ static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attem
         const redcc_iterations *const run_end = worker->run_end;
         redcc_body owned;
 #ifndef REDCC_ONE_BODY
-        redcc_body
-            plain; /* separate from `owned`, so that the address of `plain` does not escape */
+        redcc_body plain; /* separate from `owned`, so that its address does not escape */
         plain.mode = REDCC_PLAIN;
 #endif
         unsigned a;

@@ -29,9 +29,10 @@ extern "C" {
 
 /**
  * Orders rows by the reverse Cuthill-McKee algorithm, on the graph in which two rows are neighbours
- * if one iteration updates both. trip, touches   number of iterations; number of rows that each
- * iteration updates row             [trip * touches] these rows: 0 <= row < rows new_of_old
- * [rows] the result
+ * if one iteration updates both.
+ *   trip, touches   number of iterations; number of rows that each iteration updates
+ *   row             [trip * touches] these rows: 0 <= row < rows
+ *   new_of_old      [rows] the result
  */
 int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new_of_old);
 

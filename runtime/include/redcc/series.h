@@ -11,11 +11,13 @@
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_REPEATS    each thread   when no iteration is left to execute. If memory was
- * short, the first thread executes all iterations again: it makes no updates, but adds the operands
- * directly REDCC_SERIES_BANDS      each thread   after each tile series->is_over         each
- * thread   1: it is the first thread, and the loop is done REDCC_SERIES_APPLY      that thread adds
- * the operands series->release         one thread    frees them after the loop
+ *     REDCC_SERIES_REPEATS    each thread   when no iteration is left. If memory was short,
+ *                                           the first thread executes all iterations again: it
+ *                                           makes no updates, but adds the operands directly
+ *     REDCC_SERIES_BANDS      each thread   after each tile
+ *     series->is_over         each thread   1: it is the first thread, and the loop is done
+ *     REDCC_SERIES_APPLY      that thread   adds the operands
+ *     series->release         one thread    frees them after the loop
  *
  * runtime.h includes this file.
  */
@@ -38,8 +40,7 @@ struct redcc_series_writer {
     redcc_series_part
         *part;     /**< the last part of the current iteration; NULL: the iteration has none yet */
     double *begin; /**< the first operand in `part`; NULL: the part is complete */
-    double *at,
-        *end; /**< address for the next operand, and the end of the free memory that begins there */
+    double *at, *end;  /**< address for the next operand, and the end of the free memory there */
     double *block_end; /**< the end of the memory block that `at` points into */
     int adds;          /**< the thread adds operands directly and does not store them */
     int begins;        /**< `adds` is set, and the thread has not added an operand yet */

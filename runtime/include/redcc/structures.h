@@ -346,11 +346,10 @@ typedef struct redcc_worker {
     redcc_int origin;
     const redcc_iterations *run;
     const redcc_iterations *run_end;
-    void *const *base; /* for each array: the base to write to (perhaps of a copy) */
-    const redcc_owner
-        *owner; /* for each array, those of its elements that the thread owns. In a dry run: for
-                   each source, a range found disjoint from all updates */
-    void *execution; /* owned by the runtime, as are the fields below */
+    void *const *base;        /* for each array: the base to write to (perhaps of a copy) */
+    const redcc_owner *owner; /* for each array, its elements that the thread owns; in a dry run,
+                                 for each source, a range found disjoint from all updates */
+    void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_variant variant; /* set by redcc_next */
     redcc_int position;

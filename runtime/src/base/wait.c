@@ -31,8 +31,7 @@ static _Thread_local struct spinning at_barriers
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
 static _Thread_local struct spinning in_between
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
-static const double soon =
-    0.1e-3; /* seconds; a sleep shorter than this is short. No less than SPINS spins take */
+static const double soon = 0.1e-3; /* time in seconds, an upper limit of the time of SPINS spins */
 
 static void note(struct spinning *it, bool was_worth_it) {
     const int next = was_worth_it ? 2 * it->part : it->part / 2;

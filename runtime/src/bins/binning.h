@@ -3,12 +3,12 @@
  * In-order binning (propagation blocking): an executor without an inspection, for loops whose
  * subscripts change. The iterations are executed in rounds. The phases are:
  *
- *     measure  before the first round, if nothing is known: counts rows and records of some
- * iterations push     each thread executes its share of the round's iterations, piece by piece,
- * then pieces of other shares, and appends a record of each update to the bin of its row; the
- * arrays are not written guard    do the round's reads overlap the ranges it will write? (one
- * thread) apply    one thread takes each bin and applies its records: the first piece's, the
- * second's,
+ *     measure  if nothing is known: executes some iterations, to count rows and records
+ *     push     each thread executes its share of the round's iterations, piece by piece, then
+ *              pieces of other shares, and appends a record of each update to the bin of its
+ *              row; the arrays are not written
+ *     guard    do the round's reads overlap the ranges it will write? (one thread)
+ *     apply    one thread takes each bin and applies its records: the first piece's, the second's,
  *              ..., each in the order they were appended
  *
  * So each element gets its updates in the order of the loop, with any number of threads. If records

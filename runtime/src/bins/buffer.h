@@ -27,8 +27,7 @@ struct redcc_bin_buffer {
         *mark; /* [PIECE_MARKS][bins] the cursors at the beginning of each of the thread's pieces */
     redcc_int marked[PIECE_MARKS]; /* the number of records at the beginning of each piece */
     bool exhausted;                /* a record was not stored, because no blocks were left */
-    struct row_range
-        outside; /* range of the rows that were outside of the bins; their records are missing */
+    struct row_range outside; /* range of the rows outside of the bins, whose records are missing */
     redcc_int outside_count;  /* number of these records */
     struct row_range reached; /* range of the rows that spans reach */
     char *memory;

@@ -10,9 +10,8 @@
 #include <string.h>
 
 enum {
-    CHUNK =
-        16384, /* number of iterations between two checks whether the round has failed. If it were
-                  smaller, a failure would be noticed before most of the missing rows are counted */
+    CHUNK = 16384,  /* number of iterations between two checks whether the round has failed. A
+                       smaller number would find a failure before most missing rows are counted */
     STRETCHES = 64, /* maximum number of measured stretches per thread */
     STRETCH = 64,   /* maximum number of iterations of a measured stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */

@@ -63,11 +63,10 @@ struct runner {
     uint32_t schedule; /* index of the schedule that is being executed */
     uint32_t stage;    /* the current stage of the plan */
     struct hooks hooks;
-    struct run_reader runs; /* the remaining runs of the current chunk */
-    redcc_iterations
-        piece[REDCC_RUNS];  /* the runs that were handed out, if they had to be copied: because they
-                               were packed, had to be marked for owner checks, or had to be split */
-    struct parts parts;     /* the timing slices of a trial */
+    struct run_reader runs;             /* the remaining runs of the current chunk */
+    redcc_iterations piece[REDCC_RUNS]; /* the runs that were handed out, if they were packed, had
+                                           to be marked for owner checks, or had to be split */
+    struct parts parts;                 /* the timing slices of a trial */
     redcc_iterations whole; /* the iterations that were handed out in order, without a plan */
     redcc_int in_order_end; /* one past the last iteration to hand out in order */
     struct selection selection;

@@ -3,8 +3,8 @@
  * The tiles of a loop over pairs. Rows (the loop's iterations) are cut into bands, and columns (the
  * values of the inner counter) into blocks at the same values. Tile (I, J) is band I times block J:
  *
- *     J  0  1  2  3      Here column numbers are above row numbers. A thread takes a band and
- * I 0    a  a  a  a            executes its tiles from left to right, each after the tile above
+ *     J    0  1  2  3            Here columns are above rows. A thread takes a band and
+ *   I 0    a  a  a  a            executes its tiles from left to right, each after the tile above
  *     1       b  b  b            it. Then it takes the next band that no thread has taken. Thread b
  *     2          a  a            follows a, one block behind it.
  *     3             b

@@ -56,13 +56,12 @@ struct slice_timing {
 struct inspector {
     int thread;
     int threads;
-    bool failed;       /* out of memory */
-    bool recorded_all; /* all requested iterations were recorded */
-    bool late;         /* the deadline passed before all iterations were recorded */
-    redcc_int next;    /* next iteration of the sweep or of the dry run */
-    redcc_int handed;  /* number of iterations handed out in the current sweep block */
-    redcc_int
-        block; /* maximum number of iterations to hand out at once; with a deadline it grows */
+    bool failed;          /* out of memory */
+    bool recorded_all;    /* all requested iterations were recorded */
+    bool late;            /* the deadline passed before all iterations were recorded */
+    redcc_int next;       /* next iteration of the sweep or of the dry run */
+    redcc_int handed;     /* number of iterations handed out in the current sweep block */
+    redcc_int block;      /* maximum number of iterations of a block; with a deadline it grows */
     redcc_int largest;    /* limit up to which `block` grows */
     redcc_int at;         /* next iteration of the sample */
     redcc_entry *entries; /* [REDCC_ENTRIES] */

@@ -65,9 +65,8 @@ struct situation {
     enum kept_match kept[WAY_COUNT];
     int steady; /**< number of consecutive calls whose sampled subscripts were those of one of the
                    last calls; -1: unknown */
-    bool
-        verified; /**< all subscripts were compared with those of the call before and found equal */
-    bool dry_run; /**< an inspection begins with a dry run, which may take as long as the loop */
+    bool verified;  /**< all subscripts were found equal to those of the call before */
+    bool dry_run;   /**< an inspection begins with a dry run, which may take as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
     bool begun;     /**< the call is the rest of the first execution, whose first iterations were

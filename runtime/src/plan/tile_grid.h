@@ -10,8 +10,7 @@
 
 enum {
     TILES_MOST_BANDS = 8192,
-    TILE_FLAG_WORDS =
-        16 /* number of words per flag of a band: each flag has a cache line of its own */
+    TILE_FLAG_WORDS = 16 /* number of words for each band's flag: a whole cache line */
 };
 
 /** For tests: number of rows of a band; 0: it is computed. */

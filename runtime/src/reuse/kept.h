@@ -58,9 +58,8 @@ struct reuse {
         *written; /* [array_count] the ranges that the plan's groups would write in this call */
     long skipped_calls; /* number of calls before this one that auto executed sequentially */
     double earned;      /* seconds that auto has saved by the plan, minus its construction */
-    uint64_t
-        sampled; /* a hash of a few words of the subscripts (redcc_reuse_sample); 0: not sampled */
-    bool same;   /* the subscripts compared so far are unchanged */
+    uint64_t sampled;   /* a hash of a few words of the subscripts; 0: not sampled */
+    bool same;          /* the subscripts compared so far are unchanged */
     int changed_source; /* the source whose change made a plan invalid in this call; -1: none */
 };
 
