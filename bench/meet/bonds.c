@@ -42,8 +42,7 @@ static void pull(int n, const bond *bond) {
         const int me = omp_get_thread_num(), all = omp_get_num_threads();
         const atom *low = atoms + (long)ATOMS * me / all,
                    *high = atoms + (long)ATOMS * (me + 1) / all;
-        static int first[MOST_THREADS],
-            end[MOST_THREADS]; /* the bonds of each thread's atoms are among `first` to `end` - 1 */
+        static int first[MOST_THREADS], end[MOST_THREADS]; /* a thread's bonds: [first, end) */
         for (int t = 0; end[me] == 0 && t < n; t++)
             if ((bond[n - 1 - t].a >= low && bond[n - 1 - t].a < high) ||
                 (bond[n - 1 - t].b >= low && bond[n - 1 - t].b < high))

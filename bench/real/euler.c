@@ -29,9 +29,8 @@ static int (*edge)[2];
 static double (*normal)[2]; /* normal of the dual face between an edge's nodes, from first to
                              * second; its length is the face's */
 static int *wall, *far_node;
-static double (*wall_normal)[2], (*far_normal)[2]; /* outward normals at the boundary */
-static double (*q)[4], (*q0)[4], (*res)[4],
-    *speed; /* q: density, momentum (2), energy; q0: q before the step; res: residual */
+static double (*wall_normal)[2], (*far_normal)[2];  /* outward normals at the boundary */
+static double (*q)[4], (*q0)[4], (*res)[4], *speed; /* res: residual; q: density, momenta, energy */
 
 static void *allocate(size_t count, size_t size) {
     void *memory = calloc(count, size);

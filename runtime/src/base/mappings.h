@@ -30,10 +30,9 @@ int redcc_descriptor_room(void);
 bool redcc_has_accelerator(void);
 
 /** Would the processor's page tables show every write to `pages`? True only if all of the pages lie
- * in private memory without a file, and nothing else may write to the process's memory. Such
- * writers are devices, mapped sockets and queues, and a userfault descriptor other than `own`; so
- * the process must not have mapped or opened any. Sets *found to the mappings that contain the
- * pages. */
+ * in private memory without a file, and nothing that the process has mapped or opened may write to
+ * its memory otherwise: no device, mapped socket or queue, and no userfault descriptor except
+ * `own`. Sets *found to the mappings that contain the pages. */
 bool redcc_may_watch(struct mappings *found, struct range pages, int own);
 
 #endif

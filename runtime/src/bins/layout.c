@@ -200,8 +200,8 @@ static size_t bytes_held(const struct binning *binning) {
     return bytes;
 }
 
-/* Is binning worthwhile with this number of threads? With one thread it is only if it was named
- * (BINS_RECORDS or BINS_COPIES), or if the arrays exceed the caches. */
+/* Is binning worthwhile with this number of threads? With a single thread, only if a variant of it
+ * was named (BINS_RECORDS or BINS_COPIES), or if the arrays exceed the caches. */
 static bool is_for_several(const struct binning *binning) {
     return binning->call->threads > 1 || binning->call->parameter != BINS_EITHER ||
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;

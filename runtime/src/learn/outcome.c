@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Results of decisions: measurements replace estimates, comparisons end, and unprofitable loops
- *  back off. */
+/** Processes the results of decisions: measurements replace estimates, comparisons end, and
+ * unprofitable loops back off. */
 #include "learn/learner.h"
 
 #include <assert.h>

@@ -23,8 +23,8 @@ struct evidence {
     const struct partition *partition;
     const struct summary *const
         *summary; /* [threads] the access summaries of consecutive shares of the iterations */
-    const struct range *const *seen; /* [threads][array_count] the range of each group that each
-                                        share touches, by the thread that inspected the share */
+    const struct range *const *seen; /* [threads][array_count] for each share of the iterations, the
+                                        range of each group that it touches */
     int threads;
     redcc_int trip;
     const struct levels *levels; /* set if the method sets in_levels */

@@ -80,7 +80,8 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
 /** Sets the bit of a strategy in *fits if redcc_reuse_find would find a plan of this strategy. Sets
  * the bit in *changed if the strategy has a plan that only the sample rules out. If no plan fits,
- * and the sample rules out the plan used last for the first time, sets reuse->changed_source. */
+ * sets reuse->changed_source for the plan, among those that only the sample rules out, that was
+ * used last; but only once for each change. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of reuse->found unchanged? Every thread calls this function with its hasher
