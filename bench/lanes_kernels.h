@@ -2,9 +2,9 @@
 #ifndef BENCH_LANES_KERNELS_H
 #define BENCH_LANES_KERNELS_H
 
-/** A triangle of a cloth. It has its corners, the indices of its matrix blocks for the pairs of
- * corners ii ij ik jj jk kk, and the weights of the corners' positions in the derivatives with
- * respect to the material coordinates u and v. */
+/** A triangle of a cloth: its corners, and the indices of its matrix blocks for the pairs of
+ * corners ii ij ik jj jk kk. The derivatives of the position with respect to the material
+ * coordinates u and v are sums of the corners' positions with weights u and v. */
 struct element {
     int vertex[3];
     int block[6];

@@ -140,8 +140,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 /** The number of an element that is reached through a pointer, counted from address 0.
  * `redcc_pointer` is the address from which that pointer is loaded, or 0. While updates are binned,
  * that address may be unverified. If it cannot be read, or the element is misaligned, the result is
- * REDCC_NO_ROW, which ends the current round (the iterations whose records are collected before any
- * is applied). */
+ * REDCC_NO_ROW. This ends the round: the iterations whose records are collected before any of them
+ * is applied. */
 #define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
     ((redcc_size)(redcc_pointer) == 0 ||                                                           \
              redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))                    \

@@ -322,8 +322,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
                          : redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at)))
 
 /** Begins an inner iteration. In an owner-checked outer iteration (redcc__checked is 1) the thread
- * skips the inner iteration if redcc_owned is false, that is, if it owns none of the rows that the
- * inner iteration would update. */
+ * skips the inner iteration unless redcc_owned is true. redcc_owned: does it own a row that the
+ * inner iteration would update? */
 #define REDCC_INNER_ITERATION(redcc_owned)                                                         \
     if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;

@@ -72,8 +72,8 @@ redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     return seen;
 }
 
-/** Returns REDCC_CLASS_OWN if the thread owns at least one of the `bytes` > 0 bytes at offset
- * `into` of its map, plus REDCC_CLASS_OTHERS if it does not own all of them. */
+/** Returns REDCC_CLASS_OWN if the thread owns any of the `bytes` > 0 bytes at offset `into` of its
+ * map. Adds REDCC_CLASS_OTHERS if it does not own all of them. */
 REDCC_INLINE unsigned redcc_mapped(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     if (into < owner->size) {
         const redcc_size unit = redcc_unit_number(owner, into);

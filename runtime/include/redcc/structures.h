@@ -191,10 +191,9 @@ enum {
     /** redcc_attempt.sections has the section of each array that OpenMP's clause `reduction` names.
      * All updates are inside it. */
     REDCC_SECTIONED = 16777216,
-    /** An update might change a value that the executor reads before the loop (a bound of the
-     * counter, a variable that is copied), or an element that is stored after the loop. So no
-     * update may be made, not even in sequential order, before it is known that no update does
-     * so. */
+    /** An update might change a value that the executor reads before the loop, such as a bound of
+     * the counter. Or it might change an element that is stored after the loop. So no update may be
+     * made, not even in sequential order, before it is known that no update does so. */
     REDCC_WHOLE = 33554432,
     /** Iterations are long, so the first ones may be executed in order before the loop is
      * inspected. The remaining iterations are then executed as the same loop with a later first

@@ -327,8 +327,8 @@ static enum bins_phase after_push(struct binning *binning) {
     return BINS_APPLY;
 }
 
-/* If at most three quarters of the bins are between the first used and the last used bin, later
- * executions use fewer bins. */
+/* If at most three quarters of the bins lie between the first and the last used bin, lets the next
+ * execution cut a window of only these rows. */
 static void trim(struct binning *binning) {
     for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];

@@ -48,8 +48,9 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Estimates owners by the access graph. They are not used if owners by address are balanced, for
- * loops over pairs, whose graph has no good partition, or for a plan that is executed only once. */
+/* Estimates owners by the access graph. They are not used if owners by address are balanced, or if
+ * a plan would be executed only once. Loops over pairs do not use them either, because their graph
+ * has no good partition. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = recording(it) + it->touches * 6 * LEARN_TOUCH +
                                 it->further_rows * LEARN_ROW + it->leading_rows * 1.5 * LEARN_ROW;

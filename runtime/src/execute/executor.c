@@ -473,9 +473,9 @@ static int next_chunk(redcc_worker *worker) {
     return 0;
 }
 
-/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. run->error has the
- * errno of the last chunk, in the order of the loop, in which this happened, coded as 2 * (end + 1)
- * + (ERANGE ? 1 : 0); `end` is one past the chunk's last iteration. If iterations in several
+/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. run->error describes
+ * the last chunk, in the order of the loop, in which this happened. Its value is 2 * (end + 1) +
+ * (ERANGE ? 1 : 0), where `end` is one past the chunk's last iteration. If iterations in several
  * threads fail with different errors, the stored error may differ from that of the sequential
  * loop. */
 void redcc_note_error(struct run *run, redcc_int end) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Hooks let the runtime act before and after each update. The owner-checked form of a body tests
- * the owner (redcc_owns, or an inlined equivalent) before each update of an element, or once before
- * updates of several elements of a unit. An owner with a hook has an empty range. So every such
- * test reaches redcc_hooked. What must follow an update is done at the next test, or at the end of
- * the chunk (redcc_hooks_settle).
+ * the owner (redcc_owns, or an inlined equivalent) before each update of an element. If several
+ * elements of a unit are updated together, it tests once. An owner with a hook has an empty range,
+ * so every such test reaches redcc_hooked. What must follow an update is done at the next test, or
+ * at the end of the chunk (redcc_hooks_settle).
  *
  * For compensated sums, before the update, the elements from the given address to the end of its
  * unit are set to the neutral element. After the update they hold the contribution, whatever the

@@ -11,8 +11,8 @@
 #include "plan/method.h"
 #include "plan/tile_grid.h"
 
-/* A map of owners is used only if it reduces the share of the most loaded owner to at most this
- * fraction of that with cuts, because owner checks with a map are slower. */
+/* A map of owners is used only if it makes the most loaded owner's share at least this much smaller
+ * than cuts do: at most this fraction of it. Owner checks with a map are slower. */
 #define WORTH_A_MAP 0.9
 
 /* The iterations of a sample take at most this time, in seconds, when the loop executes them.
@@ -91,8 +91,8 @@ static size_t touches_to_keep(const struct inspection *inspection) {
 }
 
 /* The number of touches for which a thread's sample has space. If results must not depend on the
- * number of threads, there is space for all touches that may be kept in the end, because all may be
- * in this thread's share. */
+ * number of threads, it is the number of touches that may be kept in the end, because this thread's
+ * share may contain all of them. */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
     const size_t all = inspection->partition.share > 0 ? 1 : touches_to_keep(inspection);

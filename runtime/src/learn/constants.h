@@ -58,9 +58,9 @@
 /** Seconds of a sample of 256 iterations with some touches each. Starting threads takes as long on
  * an idle machine (0.1 to 0.4 ms), and ten times as long on a busy one (2 to 6 ms). */
 #define LEARN_SAMPLE 0.4e-3
-/** The number of iterations of that sample. If a loop cannot be inspected and its trip count is at
- * least the square of this number, its first execution is a trial of bins, with a 16th of its
- * iterations. At 10 ns or more per iteration, an execution takes 0.7 ms or more. */
+/** The number of iterations of that sample. A loop that cannot be inspected is tried in bins in its
+ * first execution, with a 16th of its iterations, if its trip count is at least the square of this
+ * number. At 10 ns or more per iteration, an execution then takes 0.7 ms or more. */
 #define LEARN_SAMPLED 256
 /** Seconds to record a touch, if the iteration has the same owners as the iteration before.
  * Beginning a run of iterations takes three times as long; logging a touch takes seven times as

@@ -182,8 +182,8 @@ static bool goes_without_plan(const struct choice *c) {
 }
 
 /* Seconds that a sample is expected to take. Until a dry run was timed, it is assumed to take as
- * long as an execution, or a 16th of that in a loop that needs no plan (in loops over blocks, 0.05
- * was measured). If a dry run takes longer, a deadline ends it. */
+ * long as an execution. In a loop that needs no plan, a 16th of that is assumed (in loops over
+ * blocks, 0.05 was measured). If a dry run takes longer, a deadline ends it. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
     const double dry =
@@ -334,8 +334,9 @@ static struct decision try_tiles(const struct choice *c) {
     return fits(c, WAY_DIRECT) ? take_up(c, WAY_DIRECT) : sequentially(c, RULE_SAVING);
 }
 
-/* The decision in PHASE_SAVING. If no strategy with a known time is available, tries one that only
- * a trial can evaluate. */
+/* The decision in PHASE_SAVING. In this order, uses a strategy that is available and expected to
+ * pay; tries tiles or bins, or takes a sample, if no sample was taken; constructs a plan; tries a
+ * strategy that only a trial can evaluate. */
 static struct decision decide_saving(const struct choice *c) {
     const double usual = redcc_usual(c->size);
     const enum way ready = ready_way(c, usual, false);

@@ -9,10 +9,10 @@
  * Cuts the groups of a partition, according to the samples of `threads` threads, sample[threads].
  *
  * Each group is first cut at quantiles of its sampled touches. The leading group is the group with
- * the most different cuts, the first one if several have as many. Each cut of another group is then
- * moved to the place where it best separates the iterations on one side of the leading group's cut
- * from those on the other side. An iteration that touches the parts of two owners in one array thus
- * usually touches the parts of the same two owners in the others.
+ * the most different cuts, the first one if several have as many. Consider the iterations on the
+ * two sides of a cut of the leading group. The corresponding cut of each other group is placed
+ * where it best separates these two sets of iterations. An iteration that touches the parts of two
+ * owners in one array thus usually touches the parts of the same two owners in the others.
  *
  * Returns false if out of memory. The time is O(touches * owners); there are at most some 10^5
  * sampled touches.

@@ -32,9 +32,9 @@ bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays);
 /** Frees the copies' memory. */
 void redcc_copies_end(struct copies *copies);
 
-/** Are private copies possible for the touched ranges of the partition's groups
- * (touched[array_count])? False if there is no element_rule for an array's operator and type, if
- * overlapping arrays differ in type or operator, or if rows or ranges do not consist of whole
+/** Are private copies possible for the touched ranges of the partition's groups,
+ * touched[array_count]? Requirements: there is an element_rule for each array's operator and type;
+ * arrays that overlap have the same type and operator; rows and ranges consist of whole
  * elements. */
 bool redcc_copies_possible(const struct partition *partition, const struct range *touched);
 

@@ -40,8 +40,7 @@ struct plan {
     struct offsets
         *touched; /* [array_count] the touched range of each group, relative to the group's base */
     /* [array_count * (owners + 1)] In group g, owner o has the bytes from bound[k] to before
-     * bound[k + 1], where k = g * (owners + 1) + o, relative to the group's base. Unused with a
-     * map */
+     * bound[k + 1], relative to the group's base; k is g * (owners + 1) + o. Unused with a map */
     ptrdiff_t *bound;
     struct owner_map map;
     struct schedule

@@ -5,7 +5,7 @@
  * are stored separately until redcc_graph_merge is called.
  *
  * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
- * that touches both ends. (An iteration with more than four units adds only a ring of edges.) Each
+ * that touches both ends; an iteration with more than four units adds only a ring of edges. Each
  * thread builds the edges of its share of the nodes from all threads' access logs, in the order of
  * the loop. So the graph is independent of the number of threads.
  */
