@@ -354,11 +354,9 @@ REDCC_RECORDS(float);
 
 /** Begins a function that applies records of spans. Each record is applied to those elements of its
  * span that are in the bin. The function's body has, in this order:
- * - declarations of the names that the text uses;
- * - REDCC_EACH_SPAN;
- * - declarations of the record's values;
- * - a loop by the program's counter over [redcc__from, redcc__end), which updates *redcc__to and
- *   reads no other element that the round updates;
+ * - declarations of the names that the text uses; REDCC_EACH_SPAN;
+ * - declarations of the record's values; a loop by the program's counter over [redcc__from,
+ *   redcc__end), which updates *redcc__to and reads no other element that the round updates;
  * - REDCC_SPANS_END. */
 #define REDCC_APPLY_SPANS(redcc_name, redcc_context)                                               \
     REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \

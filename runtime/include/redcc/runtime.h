@@ -32,8 +32,8 @@
 /** For use in #if: 1 if each floating-point operation is rounded separately, to its own type, in
  * any context. Only then do two copies of one expression give the same bits. A loop whose
  * subscripts are computed in floating point runs in parallel only under this condition. gcc defines
- * macros for all relevant options, also after pragmas. clang defines them for -ffast-math, and from
- * version 18 on clang's pragmas override the parts of that option. The pragmas do not override
+ * macros for all relevant options, also after pragmas. clang defines them for -ffast-math; its
+ * pragmas override the parts of that option in version 18 and later. The pragmas do not override
  * -ffp-contract=fast on a processor with fused multiply-adds. */
 #if !defined(__FLT_EVAL_METHOD__) && !defined(__clang__)
 #define REDCC_ROUNDS_ALIKE 0

@@ -22,7 +22,7 @@ struct sections {
     struct paired_timing pace[SECTION_SIZES]; /* by trip count: times of several threads (arm 0) and
                                                  of one thread (arm 1) */
     bool met[SECTION_SIZES]
-            [2]; /* was the loop run by several threads (0), by one (1)? Then all memory exists */
+            [2]; /* was it run by several threads (0), by one (1)? Then the memory for it exists */
     unsigned rest[SECTION_SIZES]; /* number of calls since several threads and one thread were last
                                      compared */
 };

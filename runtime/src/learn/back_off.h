@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Exponential back-off: after a failed trial the next trial waits for a number of calls or other
- * events. This number doubles with each consecutive failure. */
+ * events. This number doubles with each consecutive failure, up to a limit. */
 #ifndef REDCC_LEARN_BACK_OFF_H
 #define REDCC_LEARN_BACK_OFF_H
 

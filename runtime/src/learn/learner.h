@@ -225,7 +225,7 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
 /** Decides the action in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
 
-/** Called when an inspection has sampled the loop, which took `spent` seconds. Stores the estimates
+/** Called when an inspection has sampled the loop; this took `spent` seconds. Stores the estimates
  * arm[WAY_COUNT]. Returns a decision for the strategy whose plan construction pays and is within
  * the credit; its deadline begins now. ACTION_SEQUENTIAL: there is no such strategy, and the
  * inspection ends (RESULT_UNATTRACTIVE). */
