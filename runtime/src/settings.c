@@ -266,9 +266,9 @@ const struct settings *redcc_settings(void) {
     return &settings;
 }
 
-/* Reads the settings before main, if no REDCC_... variable is set that translated programs read. If
- * they were read later, the first execution of a loop of some microseconds would take three times
- * as long. */
+/* Reads the settings before main, if no REDCC_... variable is set, except those that only a build
+ * reads. If they were read later, the first execution of a loop of some microseconds would take
+ * three times as long. */
 __attribute__((constructor)) static void read_early(void) {
     redcc_team_bind();
     if (redcc_any_variable())

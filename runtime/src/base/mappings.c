@@ -126,7 +126,7 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     return allowed && covered >= pages.end;
 }
 
-/* Is it certain that no other process writes to memory, or disturbs tracking, through this
+/* Is it certain that no memory is written, and no tracking is disturbed, through this
  * descriptor? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];

@@ -11,8 +11,9 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* The number of rows to add at each end of the window. The range of rows was found in a part of the
- * iterations only, so its outermost rows may be missing. After failures the margin is larger. */
+/* The number of rows to add at each end of the window. The range of rows may have been found in a
+ * part of the iterations, so its outermost rows may be missing. After failures the margin is
+ * larger. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;

@@ -11,7 +11,7 @@
 
 enum {
     CHUNK = 16384,  /* number of iterations between two checks whether the round has failed. A
-                       smaller number would find a failure before most missing rows are counted */
+                       smaller number would find a failure before most missing records are counted */
     STRETCHES = 64, /* maximum number of measured stretches per thread */
     STRETCH = 64,   /* maximum number of iterations of a measured stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */

@@ -202,8 +202,8 @@ struct choice_state {
     struct size_state size[REDCC_SIZES]; /* indexed by the base-2 logarithm of the trip count */
 };
 
-/** Is the loop left sequential in this call, because a back-off still lasts? If so, counts the call
- * and sets *decision. Needs no further information about the call. */
+/** Is the loop left sequential in this call, because a back-off is not near its end? If so, counts
+ * the call and sets *decision. Needs no further information about the call. */
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
                          struct decision *decision);
 
