@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Cost and accuracy of each order and each sum: `b[row[t]] += value[t]`, 1.2 million contributions
- * to 20000 elements, by combinations of REDCC_ORDER, REDCC_SUM and REDCC_METHOD.
+ * Cost and accuracy of each order and each kind of sum. The loop is `b[row[t]] += value[t]`, 1.2
+ * million contributions to 20000 elements. It is executed with combinations of REDCC_ORDER,
+ * REDCC_SUM and REDCC_METHOD.
  *
  *     accuracy CORES >accuracy.csv
  *
- *  - rows: sorted (consecutive contributions go to adjacent elements) or shuffled (to any element)
- *  - values: well-conditioned (in (0, 1)) or ill-conditioned (of both signs, over ten orders of
+ * - rows: sorted (consecutive contributions go to adjacent elements) or shuffled (to any element)
+ * - values: well-conditioned (in (0, 1)) or ill-conditioned (of both signs, over ten orders of
  *    magnitude, so that each element's sum is about 1e-12 of the sum of its terms' magnitudes)
  *
  * Errors are relative to the exact sum, which is computed in 113 bits. Every run is a separate
- * process, because the variables are read once. Runs use CORES threads, then 1, 2, 3, 8 and 16.
+ * process, because a process reads the variables only once. Runs use CORES threads, then 1, 2, 3, 8
+ * and 16.
  */
 #include "redcc/runtime.h"
 
@@ -55,8 +57,8 @@ static void make_rows(int shuffled) {
     }
 }
 
-/* Makes the values; if `ill`, the last contribution to each element cancels all but 1e-12 of the
- * others. */
+/* Makes the values. If `ill` is set, the last contribution to each element cancels all but about
+ * 1e-12 of the sum of the others' magnitudes. */
 static void make_values(int ill) {
     static wide sum[ROWS], size[ROWS];
     static int last[ROWS];

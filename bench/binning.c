@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Compares in-order binning with the sequential loop and with LOCALWRITE, on loops in redcc's
- * generated form. Each execution has new subscripts, so LOCALWRITE inspects each time. (In-order
- * binning stores updates as records, sorted by row, before it applies them.)
+ * generated form. (In-order binning stores updates as records, sorted by row, before it applies
+ * them.) Each execution has new subscripts, so LOCALWRITE inspects each time.
  *
- *     OMP_NUM_THREADS=2 binning ROUNDS KERNEL...      no KERNEL: all
+ *     OMP_NUM_THREADS=2 binning ROUNDS KERNEL...       no KERNEL: all
  *
  * Each round executes every variant once, with the same subscripts. Each variant adds to a separate
  * array, which is not cleared; the bits of all arrays are compared after each round. Prints lines
  *
  *     kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
  *
- * A separate run executes the loop by the method `auto`, alternating with the sequential loop, and
- * adds up all executions, including the first. Its seconds and speed-up are those of the sums.
+ * For method `auto` there is a separate run, in which executions by auto alternate with the
+ * sequential loop. Its seconds and speed-up are those of the sums over all executions, including
+ * the first.
  *
  * For the other methods, seconds are medians; speed_up, lowest and highest are the median, minimum
  * and maximum of the rounds' speed-ups. best is the least time of the sequential loop divided by
- * the least time of the method. cpu is the sequential loop's processor time divided by the method's
- * per thread (auto: by its total); other jobs disturb it less. extra_percent is the extra memory
- * relative to the array.
+ * the least time of the method. cpu is the sequential loop's processor time divided by that of the
+ * method, per thread (for auto, by the total of all threads); other jobs disturb it less than the
+ * speed-up. extra_percent is the extra memory relative to the array.
  */
 #include "base/bins_kind.h"
 #include "binning_data.h"
@@ -61,8 +62,8 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
     } while (0)
 #define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
 
-/* BODY(UPDATE) is the loop's body for iteration t of *d. BYTES is the size of a record; EXACT is 1
- * if the order of updates does not change the result. */
+/* BODY(UPDATE) is the loop's body for iteration t of *d. BYTES is the size of a record. EXACT is 1
+ * if the order of updates does not affect the result. */
 #define KERNEL(N, ROW, BYTES, OPERATION, TYPE, EXACT, BODY)                                        \
     static void N##_apply(const redcc_applied *applied) {                                          \
         ROW *const rows = applied->rows[0];                                                        \
@@ -330,8 +331,8 @@ static double sum(const double *values_of, int count) {
     return all;
 }
 
-/* Alternates executions by auto, from the first one on, with the sequential loop. Returns whether
- * bits differ. */
+/* Executes the loop by auto and sequentially, alternately, beginning with auto's first execution.
+ * Returns whether the bits of the results differ. */
 static bool measure_auto(const struct kernel *kernel, const struct data *sets, int count,
                          int threads) {
     static struct variant serial, by_auto;

@@ -9,7 +9,7 @@
 
 enum { TRIP = 10000000, MILLION = 1 << 20 };
 
-/** The data that a loop reads; each set of data is different. */
+/** The data that a loop reads. A benchmark has several sets of data, all different. */
 struct data {
     redcc_int trip;
     size_t rows;
@@ -24,13 +24,13 @@ struct data {
 /** Distributions of subscripts. */
 enum pattern { RANDOM, SORTED, BANDED };
 
-/** Makes TRIP subscripts below `rows`, and values, which all sets share. */
+/** Makes TRIP subscripts below `rows`, and values. All sets share the values. */
 void make_subscripts(struct data *d, enum pattern pattern, size_t rows);
 
 /** Makes particles at random positions in a grid of side * side * side cells. */
 void make_particles(struct data *d, int side);
 
-/** Makes atoms on a lattice, numbered at random, each with half of its 26 neighbours. */
+/** Makes atoms on a lattice, numbered at random, each with half of its 26 neighbours in a list. */
 void make_neighbours(struct data *d);
 
 /** Frees the data that sets do not share. */

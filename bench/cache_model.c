@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Table 1 of the paper (docs/paper.md): the cache miss rate of the final stage of array expansion
- * (figure 9), which adds each thread's copy of the array to the array,
+ * Computes table 1 of the paper (docs/paper.md): the cache miss rate of the final stage of array
+ * expansion (figure 9). This stage adds each thread's copy of the array to the array,
  *
  *     (a)  for each element: for each copy: b[i] += copy[t][i]
  *     (b)  for each copy: for each element: b[i] += copy[t][i]

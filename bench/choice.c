@@ -5,21 +5,21 @@
  *
  *     choice LOOP CALLS [CALLS...]     ascending
  *
- * prints, for each of CALLS, the seconds of that number of executions from the first one on
- * (without the time between executions) and a hash of the results' bits. LOOP:
- *  - count: 8 M integer keys into 65536 counts; two keys change before each call
- *  - pairs: histogram of the distances of pairs of points, the bin found by bisection; new points
+ * prints a line for each number of CALLS: the total seconds of that many executions, from the first
+ * one on and without the time between executions, and a hash of the results' bits. LOOP:
+ * - count: 8 M integer keys into 65536 counts; two keys change before each call
+ * - pairs: histogram of the distances of pairs of points, the bin found by bisection; new points
  *    before each call
- *  - weights: 20,000 weights into 4096 bins; new subscripts before each call
- *  - charge: 2 M particles' charge onto a grid of 512 x 512; the particles move
- *  - columns: y += A x by columns, with a random pattern of 1 M entries, new before each call
- *  - force-sorted: forces and a matrix from the triangles of a mesh; force-shuffled: with the nodes
+ * - weights: 20,000 weights into 4096 bins; new subscripts before each call
+ * - charge: 2 M particles' charge onto a grid of 512 x 512; the particles move
+ * - columns: y += A x by columns, with a random pattern of 1 M entries, new before each call
+ * - force-sorted: forces and a matrix from the triangles of a mesh; force-shuffled: with the nodes
  *    and triangles in random order
- *  - springs-sorted: forces from the edges of that mesh; springs-shuffled
- *  - force-short: the first 4,000 triangles of force-sorted
- *  - springs-short: the first 120,000 edges of springs-sorted
- *  - columns-short: the first 8,000 columns of columns
- *  - gaxpy-sorted: y += A x by columns (CSparse's cs_gaxpy) for a matrix with the pattern of that
+ * - springs-sorted: forces from the edges of that mesh; springs-shuffled
+ * - force-short: the first 4,000 triangles of force-sorted
+ * - springs-short: the first 120,000 edges of springs-sorted
+ * - columns-short: the first 8,000 columns of columns
+ * - gaxpy-sorted: y += A x by columns (CSparse's cs_gaxpy) for a matrix with the pattern of that
  *    mesh; gaxpy-shuffled
  */
 #include <math.h>

@@ -4,14 +4,14 @@
  *
  *     gaxpy SHAPE SIDE CALLS [SHIFT]
  *
- * prints the median of the seconds of a call, the seconds of the first call, in which redcc
- * inspects the subscripts, and a hash of the bits of x and y. The matrix has SIDE * SIDE rows and
- * columns and ten entries per column. With SHIFT, y begins SHIFT elements after x in the same
- * array, so that they overlap. SHAPE:
- *  - banded: the entries of a column are within 1000 rows of the diagonal
- *  - mesh: a grid of SIDE x SIDE points in the order of its rows
- *  - shuffled: the same points numbered at random
- *  - random: rows drawn at random
+ * prints the median of the calls' seconds, the seconds of the first call (in which redcc inspects
+ * the subscripts), and a hash of the bits of x and y. The matrix has SIDE * SIDE rows and columns
+ * and ten entries per column. With SHIFT, y begins SHIFT elements after x in the same array, so
+ * that they overlap. SHAPE:
+ * - banded: the entries of a column are within 1000 rows of the diagonal
+ * - mesh: a grid of SIDE x SIDE points in the order of its rows
+ * - shuffled: the same points numbered at random
+ * - random: rows drawn at random
  */
 #include <cs.h>
 #include <stdint.h>
@@ -40,8 +40,8 @@ static int by_row(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/* Returns a row of the column: the grid's point `column` itself, one of its eight neighbours, or
- * the point two columns to the right, by `entry`. */
+/* Returns the row of entry number `entry` of the column. It is the grid's point `column` itself,
+ * one of its eight neighbours, or the point two columns to the right. */
 static csi neighbour(csi column, int entry) {
     static const int right[PER_COLUMN] = {0, -1, 1, 0, 0, -1, 1, -1, 1, 2};
     static const int down[PER_COLUMN] = {0, 0, 0, -1, 1, -1, -1, 1, 1, 0};
@@ -60,8 +60,8 @@ static void fill_column(const char *shape, const csi *number, csi column, csi *r
     qsort(rows, PER_COLUMN, sizeof *rows, by_row);
 }
 
-/* Returns the row number[p] of each point p of the grid: p itself, or a random permutation
- * (Fisher-Yates). */
+/* Returns the numbering of the grid's points: point p has row number[p]. This is p itself or, if
+ * `shuffled`, a random permutation (Fisher-Yates). */
 static csi *numbering(int shuffled) {
     csi *number = malloc((size_t)row_count * sizeof *number);
     for (csi p = 0; p < row_count; p++)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Measures the effect of lanes (several iterations computed at once by vector instructions) and of
- * prefetches on the parallel loops, by kernel (lanes_kernels.c), order of the data and number of
- * threads. Each round executes the original loop, and the translated one in each variant and as the
- * runtime decides. Each is run twice in a row and the second run is timed; the bits are compared
- * each time.
+ * Measures how much lanes (several iterations computed at once by vector instructions) and
+ * prefetches speed up the parallel loops, for each kernel (lanes_kernels.c), order of the data and
+ * number of threads. Each round executes the original loop, the translated loop in each variant,
+ * and the translated loop as the runtime decides. Each of these is run twice in a row and the
+ * second run is timed; the bits are compared each time.
  *
  *     OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [KERNEL]]]
  *
@@ -160,7 +160,7 @@ static int measure(enum kernel kernel, const char *order, const struct mesh *m, 
     return differ;
 }
 
-/* Measures in a child process, so that the runtime does not reuse the variant chosen for other
+/* Measures in a child process, so that the runtime does not reuse variants that it chose for other
  * data. */
 static int measure_in_child(enum kernel kernel, const char *order, const struct mesh *m,
                             int rounds) {

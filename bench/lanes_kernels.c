@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loops of bench/lanes as in a user's program. They are translated by redcc, and also compiled
- * unchanged for comparison. */
+/* The loops of bench/lanes, as they are in users' programs. redcc translates them; for comparison
+ * they are also compiled unchanged. */
 #include <math.h>
 
 #include "lanes_kernels.h"
@@ -9,8 +9,8 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Computes the derivative w of a triangle's position by u or v: the sum of share[p] x[p] over its
- * corners. */
+/* Computes w, the derivative of a triangle's position with respect to the material coordinate u or
+ * v: the sum of share[p] x[p] over its corners p. */
 static void along(const double (*x)[3], int i, int j, int k, const double share[3], double w[3]) {
     for (int c = 0; c < 3; c++)
         w[c] = share[0] * x[i][c] + share[1] * x[j][c] + share[2] * x[k][c];
@@ -40,8 +40,8 @@ static void compute_force(const double (*x)[3], const double (*v)[3], int i, int
                                shear * (u_share[p] * wv[c] + v_share[p] * wu[c]));
 }
 
-/* Computes the derivatives of compute_force's forces by the corners' positions and velocities, in
- * an implicit step. */
+/* Computes the derivatives of compute_force's forces with respect to the corners' positions and
+ * velocities, as an implicit step needs them. */
 static void compute_derivatives(const double (*x)[3], int i, int j, int k, const double u_share[3],
                                 const double v_share[3], double area, double df[3][3][3][3]) {
     double wu[3], wv[3], nu[3], nv[3];
@@ -95,8 +95,8 @@ void cloth(int count, const struct cloth_element *restrict element, const double
     }
 }
 
-/* Adds the forces f of one strain of a triangle, along u or v, and their derivatives df. |sum of
- * weight[a] x[a]| is 1 at rest. */
+/* Adds the forces of one strain of a triangle, along u or v, to f and their derivatives to df. The
+ * length of the sum of weight[a] x[a] is 1 at rest. */
 static void strain(const double (*x)[3], int i, int j, int k, const double weight[3], double area,
                    double f[3][3], double df[6][3][3]) {
     double w[3], n[3];

@@ -2,8 +2,9 @@
 #ifndef BENCH_LANES_KERNELS_H
 #define BENCH_LANES_KERNELS_H
 
-/** A triangle of a cloth: its corners, the indices of the matrix blocks ii ij ik jj jk kk, and the
- *  weights of the corners' positions in the derivatives by the material coordinates u and v. */
+/** A triangle of a cloth: its corners, and the indices of its matrix blocks for the pairs of
+ * corners ii ij ik jj jk kk. The derivatives of the position with respect to the material
+ * coordinates u and v are sums of the corners' positions with weights u and v. */
 struct element {
     int vertex[3];
     int block[6];
@@ -39,7 +40,7 @@ struct cloth_element {
     X(half_product, (int rows, const int *start, const int *column, const double *value,           \
                      const double *x, double *y))
 
-/** Declares a kernel as redcc translated it and, as serial_NAME, the original. */
+/** Declares a kernel, NAME, as redcc has translated it, and serial_NAME, the original. */
 #define BENCH_LANES_DECLARE(name, parameters)                                                      \
     void name parameters;                                                                          \
     void serial_##name parameters;

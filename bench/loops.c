@@ -7,10 +7,10 @@
  *
  *    REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
- * First come WARM seconds of executions (default 2, so that `auto` ends its trials). Then come at
- * least 9 rounds, for twice that time. In a round each variant is executed twice in a row and the
- * second execution is timed, so that no variant starts with the caches, or the sleeping threads,
- * that another left. Then come 9 executions with an inspection each. Prints lines
+ * First, executions run for WARM seconds (default 2, so that `auto` ends its trials). Then rounds
+ * run for twice that time, but at least 9 rounds. In a round each variant is executed twice in a
+ * row and the second execution is timed, so that no variant starts with the caches, or the sleeping
+ * threads, that another left. At last come 9 executions, each with an inspection. Prints lines
  *
  *    loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
  *    inspection_of_serial,extra_percent,replication,modelled
@@ -283,8 +283,8 @@ enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, BENCH
         BODY(t, ATOMICALLY);                                                                       \
     }
 
-/* Array expansion: every thread except the first adds to a private copy. If MERGED, the copies are
- * then added to the arrays, each thread adding a share of the elements. */
+/* Array expansion: every thread except the first adds to a private copy. If MERGED is set, the
+ * copies are then added to the arrays; each thread adds a share of the elements. */
 #define BY_EXPANSION(trip, BODY, WITH_A, MERGED)                                                   \
     const size_t doubles = 3 * (size_t)NODES + (WITH_A ? 9 * (size_t)BLOCKS : 0);                  \
     static double **copy;                                                                          \
@@ -319,7 +319,7 @@ static void sequentially_heavy(void) {
     }
 }
 
-/* `key` is in place of a pointer on which the subscripts depend: changing it forces an inspection.
+/* `key` stands for a pointer on which the subscripts depend; changing it forces an inspection.
  * Returns 0 if the loop was executed sequentially, otherwise 1. */
 static int run_heavy(redcc_word key, enum bench_variant variant) {
     switch (variant) {
@@ -441,7 +441,7 @@ static struct spread ratios(const double *above, const double *below, int count)
 }
 
 /* Times rounds of the variants below `end` for `most` seconds, but at least ROUNDS and at most
- * MOST_ROUNDS rounds. Returns the number of rounds. */
+ * MOST_ROUNDS rounds. Returns the number of rounds that were timed. */
 static int time_rounds(double taken[BENCHED][MOST_ROUNDS], int end, double most) {
     const double begin = omp_get_wtime();
     int round = 0;

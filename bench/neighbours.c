@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Times a loop that gains by running in parallel while other programs use the same cores
+ * Times a loop that gains by running in parallel, while other programs use the same cores
  * (bench/neighbours.sh).
  *
  *    neighbours ITERATIONS EXECUTIONS

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A histogram of doubles by OpenMP, compiled unchanged and translated by redcc.
+ * A histogram of doubles, parallelised by OpenMP directives. It is compiled unchanged, and as
+ * translated by redcc.
  *
  *    openmp clause|atomic ITERATIONS ELEMENTS EXECUTIONS
  *
- * prints the milliseconds of the fastest execution of the second half, and a hash of all bits.
+ * prints the milliseconds of the fastest execution in the second half of the executions, and a hash
+ * of all bits of the results.
  */
 #include <stdint.h>
 #include <stdio.h>

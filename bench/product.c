@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * For script/bench product: compares the time of the product with the cloth's matrix if half of it
- * is stored, as in the simulator, with that if every block is stored. The meshes have given numbers
- * of vertices. The results of the two products are first checked to agree.
+ * For script/bench product: times the product of the cloth's matrix and a vector in two ways. In
+ * one, half of the matrix is stored, as in the simulator; in the other, every block is stored. The
+ * arguments are numbers of vertices of the meshes. Before timing, the program checks that both ways
+ * give the same product.
  */
 #include <math.h>
 #include <stdio.h>
@@ -27,8 +28,8 @@ static void complete_row_starts(const block_matrix *half, int *row_start) {
         row_start[i + 1] += row_start[i];
 }
 
-/* Makes the full matrix, with blocks above and below the diagonal, from the half. Returns 0, or -1
- * if out of memory. */
+/* Makes the full matrix, with the blocks on both sides of the diagonal, from the half. Returns 0,
+ * or -1 if out of memory. */
 static int complete(const block_matrix *half, block_matrix *full) {
     const int rows = half->row_count;
     const size_t blocks = 2 * (size_t)half->block_count - (size_t)rows;
@@ -44,8 +45,9 @@ static int complete(const block_matrix *half, block_matrix *full) {
     }
     complete_row_starts(half, full->row_start);
     memcpy(next, full->row_start, sizeof *next * (size_t)rows);
-    /* Rows are visited in ascending order. The transposed blocks from rows above, which are left of
-     * the diagonal, are therefore stored before the row's own blocks, and columns ascend. */
+    /* Rows are visited in ascending order. So the transposed blocks of the rows above, which are
+     * left of the diagonal, are stored before a row's own blocks, and the columns of each row
+     * ascend. */
     for (int i = 0; i < rows; i++)
         for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
             const int j = half->column[k];
@@ -81,8 +83,8 @@ static void full_product(const block_matrix *restrict F, const double (*restrict
     }
 }
 
-/* Are the two products with x equal up to rounding? Leaves them in y and z, and prints a message if
- * not. */
+/* Are the products of both matrices with x equal, up to rounding? Stores them in y and z. Prints a
+ * message if they are not. */
 static int agree(const block_matrix *half, const block_matrix *full, const double (*x)[3],
                  double (*y)[3], double (*z)[3]) {
     half_product(half, x, y);
@@ -102,8 +104,8 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Returns the median time of one product, s. It includes setting y to 0, which half_product
- * needs. */
+/* Returns the median time of one product in seconds. It includes setting y to 0 before the product,
+ * which half_product needs. */
 static double median_seconds(product *multiply, const block_matrix *A, const double (*x)[3],
                              double (*y)[3], double *seconds, int repeats) {
     for (int n = 0; n < repeats; n++) {

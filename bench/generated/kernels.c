@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops for bench/generated.sh: springs, a histogram, y = A x by columns, and a loop with a
- * live-out value; redcc does not move that loop's body to a separate function. The argument selects
- * one. */
+/* Loops for bench/generated.sh; the argument selects one: springs, a histogram, y = A x by columns,
+ * and a loop with a live-out value. (redcc does not move the last loop's body to a separate
+ * function.) */
 #include <stdio.h>
 #include <stdlib.h>
 struct sys {

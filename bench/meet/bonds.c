@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Forces of bonds that have pointers to their two atoms. By hand: each thread owns a share of the
- *  atoms, and executes the bonds that have an atom of its share. */
+/** Forces of bonds that have pointers to their two atoms. In the version by hand, each thread owns
+ * a share of the atoms, and executes the bonds that have an atom of this share. */
 #include "meet.h"
 
 #include <math.h>
@@ -42,8 +42,7 @@ static void pull(int n, const bond *bond) {
         const int me = omp_get_thread_num(), all = omp_get_num_threads();
         const atom *low = atoms + (long)ATOMS * me / all,
                    *high = atoms + (long)ATOMS * (me + 1) / all;
-        static int first[MOST_THREADS], end[MOST_THREADS]; /* the thread's atoms have bonds only
-                                                            * from `first` to before `end` */
+        static int first[MOST_THREADS], end[MOST_THREADS]; /* a thread's bonds: [first, end) */
         for (int t = 0; end[me] == 0 && t < n; t++)
             if ((bond[n - 1 - t].a >= low && bond[n - 1 - t].a < high) ||
                 (bond[n - 1 - t].b >= low && bond[n - 1 - t].b < high))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Forces between atoms of neighbouring cells. By hand: each thread owns a share of the cells, and
- *  skips pairs of cells if it owns neither cell. */
+/** Forces between atoms of neighbouring cells. In the version by hand, each thread owns a share of
+ * the cells, and skips pairs of cells of which it owns neither. */
 #include "meet.h"
 
 enum { SIDE = 20, CELLS = SIDE * SIDE * SIDE, ROOM = 24, NEAR = 14 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Forces between all pairs of charges, with coordinates in a flat array, and the sum of the
- *  energies. By hand: tiles of pairs, one anti-diagonal after another. Energies are stored first
- *  and then added up in the order of the sequential loop. */
+ * energies. In the version by hand, tiles of pairs are executed one anti-diagonal after another.
+ * Energies are stored first, and then added up in the order of the sequential loop. */
 #include "meet.h"
 
 #include <math.h>

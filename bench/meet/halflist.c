@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Forces and energy of a Lennard-Jones liquid from half neighbour lists. By hand: each thread owns
- *  a share of the atoms, and skips rows that contain none of them. Energies are stored first and
- *  then added up in the order of the sequential loop. */
+/** Forces and energy of a Lennard-Jones liquid, from neighbour lists in which each pair occurs
+ * once. In the version by hand, each thread owns a share of the atoms, and skips rows that contain
+ * none of them. Energies are stored first, and then added up in the order of the sequential
+ * loop. */
 #include "meet.h"
 
 #include <math.h>
 
 enum { SIDE = 56, ATOMS = SIDE * SIDE * SIDE / 4, MOST = 40 };
 
-static int *start, *list, *last; /* last: greatest neighbour of each row's atom, for the loop by
-                                  * hand */
+static int *start, *list, *last; /* last: each atom's greatest neighbour, for the loop by hand */
 static double (*at)[3], (*force)[3], *energy; /* energy points to the element after the forces */
 
 #ifndef BY_HAND

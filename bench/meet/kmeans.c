@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A step of k-means: each point is added to the sum of its nearest centre. By hand: threads find
- *  the nearest centres of equal shares of the points. Then each thread adds up the points of its
- *  share of the centres. */
+/** A step of k-means: each point is added to the sum of its nearest centre. In the version by hand,
+ * each thread finds the nearest centres of an equal share of the points. Then it adds up the points
+ * that belong to its share of the centres. */
 #include "meet.h"
 
 #include <float.h>

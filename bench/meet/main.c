@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * PROGRAM CALLS [CALLS...]: prints, for each of the ascending numbers CALLS, the seconds of that
- * number of calls from the first one on, and a hash of the bits of the results.
+ * PROGRAM CALLS [CALLS...]: the numbers CALLS ascend. For each of them, prints the total seconds of
+ * that many calls, from the first one on, and a hash of the bits of the results.
  */
 #include "meet.h"
 

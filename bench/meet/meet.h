@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Interface of the files of this folder. Each has a loop, as found in programs, whose iterations
- * update the same elements. With BY_HAND the file contains the loop as a programmer would
- * parallelise it with OpenMP, in the same order of updates.
+ * Interface of the files of this folder. Each file has a loop, as found in programs, in which
+ * several iterations update the same elements. With BY_HAND, the file instead contains the loop as
+ * a programmer would parallelise it with OpenMP, keeping the order of updates.
  */
 #ifndef MEET_H
 #define MEET_H
@@ -11,8 +11,8 @@
 
 /** Makes the data. */
 void make(void);
-/** Makes the changes of a program's next step. Called between two calls of the loop, and not
- *  timed. */
+/** Changes the data as the next step of a program would. Called between two calls of the loop, and
+ * not timed. */
 void change(void);
 /** Executes the measured loop. */
 void call(void);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** All pairs of points attract each other; the inner loop keeps the sum of a point's forces in
- *  local variables. By hand: tiles of pairs, one anti-diagonal after another. */
+ * local variables. In the version by hand, tiles of pairs are executed one anti-diagonal after
+ * another. */
 #include "meet.h"
 
 #include <math.h>

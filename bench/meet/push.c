@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One loop moves particles towards the middle and deposits their charge on a grid. By hand:
- * threads move equal shares of the particles; then each thread deposits the charges in its band of
- * rows. */
+/** A loop that moves particles towards the middle and deposits their charge on a grid. In the
+ * version by hand, each thread moves an equal share of the particles. Then it deposits the charges
+ * in its band of rows. */
 #include "meet.h"
 
 #include <math.h>
@@ -86,8 +86,8 @@ static void push(int n, particle *p, float *g) {
 }
 #endif
 
-/* Makes slow particles, sorted by rows of the grid, as programs of this kind do from time to
- * time. */
+/* Makes slow particles that are sorted by rows of the grid. (Programs of this kind sort particles
+ * from time to time.) */
 void make(void) {
     particles = room(PARTICLES * sizeof *particles);
     grid = room(SIDE * SIDE * sizeof *grid);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Adds each sample to a window of 7 x 7 cells of a grid. By hand: each thread owns a band of rows,
- * to which it clips the windows. */
+/** Adds each sample to a window of 7 x 7 cells of a grid. In the version by hand, each thread owns
+ * a band of rows, and clips the windows to its band. */
 #include "meet.h"
 
 #include <math.h>

@@ -4,12 +4,13 @@
  *
  * bricks SIDE STEPS >displacements
  *
- * A bar of SIDE x SIDE x 4 SIDE bricks with distorted nodes is fixed at z = 0; its far end starts
- * with a velocity. Central differences with lumped masses integrate it. In each step a loop over
- * the elements gathers the displacements of eight nodes, computes stresses at the centre (one-point
- * integration) with Flanagan and Belytschko's control of the hourglass modes, which have no strain
- * at the centre, and scatters the nodal forces. Every fiftieth step prints the kinetic energy and
- * the tip's displacement; the end prints all displacements.
+ * A bar of SIDE x SIDE x 4 SIDE bricks, whose nodes are displaced irregularly, is fixed at z = 0;
+ * its far end starts with a velocity. Central differences with lumped masses integrate the motion.
+ * In each step a loop over the elements gathers the displacements of eight nodes and computes the
+ * stresses at the centre (one-point integration). It adds Flanagan and Belytschko's control of the
+ * hourglass modes, which have no strain at the centre, and scatters the nodal forces. Every
+ * fiftieth step prints the kinetic energy and the tip's displacement; the end prints all
+ * displacements.
  *
  * T. J. R. Hughes, The Finite Element Method, Prentice-Hall 1987, section 9; D. P. Flanagan and T.
  * Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679.
@@ -47,8 +48,8 @@ static void *allocate(size_t count, size_t size) {
     return memory;
 }
 
-/* Makes a bar of n x n x 4n bricks, 1 m thick. Each coordinate of each node is moved by up to a
- * tenth of an edge. */
+/* Makes a bar of n x n x 4 n bricks, 1 m thick. Each coordinate of each node is displaced by up to
+ * a tenth of a brick's edge. */
 static void make_mesh(struct mesh *m, int n) {
     const int row = n + 1, layer = row * row;
     const double h = 1.0 / n;
@@ -72,8 +73,9 @@ static void make_mesh(struct mesh *m, int n) {
     }
 }
 
-/* Computes the element's volume and the derivatives of the trilinear shape functions at its centre,
- * by the inverse of the Jacobian J of the map from the reference cube. */
+/* Computes the element's volume, and the derivatives of the trilinear shape functions at its
+ * centre, from the inverse of J. J is the Jacobian of the map from the reference cube to the
+ * element. */
 static void shape_functions(struct mesh *m, int e) {
     double J[3][3] = {{0}}, I[3][3];
     for (int a = 0; a < 8; a++)

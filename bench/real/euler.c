@@ -7,9 +7,9 @@
  * A channel 3 SIDE x SIDE nodes large, with a bump on its floor, is cut into triangles. The median
  * dual around each node is a control volume: a list of edges, each with its two nodes and a normal,
  * is all that the solver knows of the mesh. A loop over the edges adds Rusanov's flux to one node
- * and subtracts it from the other; another computes time steps from sums of wave speeds over
- * edges. Four-stage Runge-Kutta steps lead to the steady state. Every twentieth step prints the
- * residual; the end prints density and momentum at the nodes.
+ * and subtracts it from the other. Another loop adds up wave speeds over the edges, which give the
+ * time steps. Four-stage Runge-Kutta steps lead to the steady state. Every twentieth step prints
+ * the residual; the end prints density and momentum at the nodes.
  *
  * D. J. Mavriplis, Annu. Rev. Fluid Mech. 29 (1997) 473; A. Jameson, W. Schmidt and E. Turkel, AIAA
  * paper 81-1259; T. J. Barth, Aspects of unstructured grids, VKI lecture series 1994-05.
@@ -30,8 +30,7 @@ static double (*normal)[2]; /* normal of the dual face between an edge's nodes, 
                              * second; its length is the face's */
 static int *wall, *far_node;
 static double (*wall_normal)[2], (*far_normal)[2];  /* outward normals at the boundary */
-static double (*q)[4], (*q0)[4], (*res)[4], *speed; /* q: density, momentum (2), energy; res:
-                                                     * residual */
+static double (*q)[4], (*q0)[4], (*res)[4], *speed; /* res: residual; q: density, momenta, energy */
 
 static void *allocate(size_t count, size_t size) {
     void *memory = calloc(count, size);
@@ -50,8 +49,8 @@ static void add_edge(int a, int b, const double n[2]) {
     nedge++;
 }
 
-/* Adds to n the part of the dual face of edge a-b that lies in the triangle a, b, c, as a normal
- * from a to b. */
+/* Adds a part of the dual face of edge a-b to n: the part in the triangle a, b, c, as a normal that
+ * points from a to b. */
 static void half_face(int a, int b, int c, double n[2]) {
     const double mx = 0.5 * (x[a][0] + x[b][0]), my = 0.5 * (x[a][1] + x[b][1]);
     const double cx = (x[a][0] + x[b][0] + x[c][0]) / 3, cy = (x[a][1] + x[b][1] + x[c][1]) / 3;
@@ -77,8 +76,8 @@ static void boundary_edge(int a, int b, int *count, int *node, double (*n)[2]) {
     }
 }
 
-/* Node (i, j) has column i, 0 to nx, and row j, 0 to ny. Each quadrilateral is cut along the
- * diagonal from (i, j) to (i + 1, j + 1). */
+/* Makes the mesh. Node (i, j) is in column i, from 0 to nx, and row j, from 0 to ny. Each
+ * quadrilateral is cut along the diagonal from (i, j) to (i + 1, j + 1). */
 static void make_mesh(int nx, int ny) {
 #define NODE(i, j) ((i) * (ny + 1) + (j))
     nnode = (nx + 1) * (ny + 1);
@@ -138,8 +137,8 @@ static double pressure(const double u[4]) {
     return (GAMMA - 1) * (u[3] - 0.5 * (u[1] * u[1] + u[2] * u[2]) / u[0]);
 }
 
-/* Rusanov's flux f through a face of normal n between states l and r: the mean of both fluxes, less
- * half the fastest wave speed times the jump r - l. */
+/* Computes Rusanov's flux f through a face with normal n between states l and r: the mean of both
+ * fluxes, minus half the fastest wave speed times the jump r - l. */
 static void rusanov(const double l[4], const double r[4], const double n[2], double f[4]) {
     const double size = sqrt(n[0] * n[0] + n[1] * n[1]);
     const double pl = pressure(l), pr = pressure(r);
@@ -192,8 +191,8 @@ static void residual(const double far_state[4]) {
     }
 }
 
-/* One step of four stages with local time steps. CFL / speed is the local step divided by the
- * volume. */
+/* Executes one step of four stages with local time steps. A node's time step divided by its volume
+ * is CFL / speed. */
 static void runge_kutta(const double far_state[4]) {
     static const double stage[4] = {0.25, 1.0 / 3, 0.5, 1.0};
     memcpy(q0, q, sizeof *q * (size_t)nnode);

@@ -4,12 +4,12 @@
  *
  *   fairing LEVELS STEPS >surface
  *
- * An icosahedron whose triangles are cut in four LEVELS times is a sphere of 10 * 4^LEVELS + 2
- * vertices, numbered in the order of their creation; bumps and noise are added. Each step visits
- * every triangle, adds the cotangents of its angles times its edges to the curvature normals of its
- * vertices and a third of its area to the vertices' areas, and then moves each vertex along its
- * normal, as far as is stable. Scaling restores lost volume. Every tenth step prints area and
- * volume; the end prints some of the vertices.
+ * An icosahedron, whose triangles are cut into four LEVELS times, becomes a sphere of 10 * 4^LEVELS
+ * + 2 vertices, numbered in the order of their creation. Bumps and noise are added. Each step
+ * visits every triangle. It adds the cotangents of the triangle's angles times its edges to the
+ * curvature normals of its vertices, and a third of its area to the vertices' areas. Then the step
+ * moves each vertex along its normal, as far as is stable. Scaling restores lost volume. Every
+ * tenth step prints area and volume; the end prints some of the vertices.
  *
  * M. Desbrun, M. Meyer, P. Schroeder, A. H. Barr: Implicit Fairing of Irregular Meshes using
  * Diffusion and Curvature Flow, SIGGRAPH 1999, equations 14 and 10. U. Pinkall, K. Polthier,
@@ -62,8 +62,8 @@ typedef struct midpoint {
     int low, high, vertex; /* vertex: made from edge low-high; -1 if the entry is free */
 } midpoint;
 
-/* Returns the vertex made by halving the edge a-b: its middle, projected onto the unit sphere. The
- * hash table has the vertices made so far. */
+/* Returns the vertex in the middle of the edge a-b, projected onto the unit sphere; creates it if
+ * it does not exist yet. The hash table `table` has the vertices that exist. */
 static int middle(mesh *m, midpoint *table, unsigned size, int a, int b) {
     const int low = a < b ? a : b, high = a < b ? b : a;
     unsigned at = ((unsigned)low * 2654435761u ^ (unsigned)high * 40503u) & (size - 1);

@@ -4,10 +4,11 @@
  *
  *   jelly SIDE STEPS >motion
  *
- * SIDE^3 cubes, each cut into five tetrahedra, are tilted above a floor. Each step adds the forces
- * of all tetrahedra, of a stable Neo-Hookean material with viscous damping, to their nodes, pushes
- * nodes out of the floor by springs, and moves the nodes (symplectic Euler). Every fiftieth step
- * prints energies and the lowest node; the end prints some of the nodes.
+ * A block of SIDE^3 cubes, each cut into five tetrahedra, is tilted above a floor. The material is
+ * stable Neo-Hookean, with viscous damping. Each step adds the forces of all tetrahedra to their
+ * nodes, and the forces of springs that push nodes out of the floor. Then it moves the nodes
+ * (symplectic Euler). Every fiftieth step prints energies and the lowest node; the end prints some
+ * of the nodes.
  *
  * B. Smith, F. de Goes, T. Kim: Stable Neo-Hookean Flesh Simulation, ACM Trans. Graph. 37 (2018)
  * 12, equations 13 and 18. J. Teran, S. Blemker, V. Ng Thow Hing, R. Fedkiw: Finite Volume Methods
@@ -47,8 +48,8 @@ static double determinant(double a[3][3]) {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
-/* Computes the matrix of cofactors, which is the derivative of the determinant with respect to the
- * matrix. */
+/* Computes c, the cofactors of matrix a. They are the derivatives of a's determinant with respect
+ * to its entries. */
 static void cofactors(double a[3][3], double c[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -131,7 +132,7 @@ static void make_block(int side) {
 
 /* ---- forces --------------------------------------------------------------------------------- */
 
-/* Computes the first Piola-Kirchhoff stress p from the deformation gradient and its rate. Returns
+/* Computes p, the first Piola-Kirchhoff stress, from the deformation gradient and its rate. Returns
  * the energy density. */
 static double stress(double deformation[3][3], double rate[3][3], double p[3][3]) {
     const double alpha = 1 + 0.75 * SHEAR / BULK;
@@ -160,8 +161,8 @@ static double elastic_forces(void) {
         product(d, rest[t], rate);
         energy += rest_volume[t] * stress(deformation, rate, p);
         for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) { /* forces -V P B^T, column by column: V volume and B
-                                           * inverse edges at rest, P stress */
+            for (int j = 0; j < 3; j++) { /* forces -V P B^T, column by column; V: volume at rest,
+                                             B: inverse of the edges at rest, P: stress */
                 const double force =
                     rest_volume[t] *
                     (p[i][0] * rest[t][j][0] + p[i][1] * rest[t][j][1] + p[i][2] * rest[t][j][2]);

@@ -5,13 +5,13 @@
  *   molecules CELLS STEPS >trajectory
  *
  * A periodic cube of 4 CELLS^3 atoms starts as a face-centred lattice with small random velocities.
- * Velocity Verlet integrates it. Forces come from a Verlet list of half the pairs, which linked
- * cells rebuild every twentieth step: as each pair is listed once, its force is added to both
- * atoms. Every twentieth step prints the energies; the end prints positions.
+ * The velocity Verlet method integrates the motion. Forces are computed from a neighbour list,
+ * which is rebuilt by linked cells every twentieth step. Each pair is listed once, and its force is
+ * added to both atoms. Every twentieth step prints the energies; the end prints positions.
  *
  * The method and the form of its loops are those of M. P. Allen and D. J. Tildesley, Computer
- * Simulation of Liquids, Oxford 1987, programs F.4, F.17, F.19 and F.20; L. Verlet, Phys. Rev. 159
- * (1967) 98.
+ * Simulation of Liquids, Oxford 1987, programs F.4, F.17, F.19 and F.20. The list is due to L.
+ * Verlet, Phys. Rev. 159 (1967) 98.
  */
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@
 #define SKIN 0.3
 #define DT 0.004
 #define REBUILD 20         /* number of steps between rebuilds of the neighbour list */
-#define MOST_NEIGHBOURS 60 /* capacity of the list: neighbours of an atom, on average */
+#define MOST_NEIGHBOURS 60 /* capacity of the list, as a number of neighbours per atom */
 
 static int natoms;
 static double box;
@@ -62,8 +62,7 @@ static void lattice(int cells) {
                 }
 }
 
-/* Returns the coordinate difference d of two atoms, replaced by that of their nearest periodic
- * images. */
+/* Returns d, the difference of a coordinate of two atoms, for their nearest periodic images. */
 static double image(double d) {
     if (d > 0.5 * box)
         return d - box;
@@ -82,8 +81,8 @@ static int cell_of(double x, int ncell) {
     return c < 0 ? 0 : c >= ncell ? ncell - 1 : c;
 }
 
-/* Appends to the list, of length n, those of the atoms j, next[j], ... that are within its radius
- * of atom i. Returns the new length. */
+/* Appends to the neighbour list, which has n entries, those of the atoms j, next[j], ... that are
+ * within the list's radius of atom i. Returns the new number of entries. */
 static int scan(const int *next, int j, int i, int n) {
     const double reach = (CUTOFF + SKIN) * (CUTOFF + SKIN);
     for (; j >= 0; j = next[j])
@@ -92,8 +91,8 @@ static int scan(const int *next, int j, int i, int n) {
     return n;
 }
 
-/* Builds the neighbour list by linked cells no smaller than its radius. Half of a cell's 26
- * neighbours are searched, so that each pair is found once. */
+/* Builds the neighbour list by linked cells, whose sides are at least as long as the list's radius.
+ * It searches half of a cell's 26 neighbours, so that each pair is found once. */
 static void neighbours(void) {
     const int m = (int)(box / (CUTOFF + SKIN));
     int *head = allocate((size_t)m * m * m, sizeof *head), *next = allocate(natoms, sizeof *next);

@@ -64,8 +64,8 @@ static void add_triangle(const csi v[3], cs *stiffness, cs *mass) {
         }
 }
 
-/* Returns a triplet matrix in compressed columns, with repeated entries added up. Frees the
- * triplets. */
+/* Returns the matrix of the triplets in compressed columns, with entries for the same place added
+ * up. Frees the triplets. */
 static cs *compressed(cs *triplets) {
     cs *transposed = cs_compress(triplets), *half = cs_transpose(transposed, 1);
     cs_spfree(triplets);
@@ -75,7 +75,8 @@ static cs *compressed(cs *triplets) {
     return half; /* rows in order within each column */
 }
 
-/* left = M + DT/2 K and right = M - DT/2 K with the mass matrix M and the stiffness matrix K */
+/* Makes left = M + DT/2 K and right = M - DT/2 K, from the mass matrix M and the stiffness matrix
+ * K. */
 static void make_matrices(cs **left, cs **right) {
     cs *K = cs_spalloc(n, n, 18 * n, 1, 1), *M = cs_spalloc(n, n, 18 * n, 1, 1);
     if (!K || !M)
@@ -106,8 +107,8 @@ static double dot(const double *a, const double *b) {
     return sum;
 }
 
-/* Solves A u = b, starting from the given u; r, p and w are work space. Returns the number of
- * iterations. */
+/* Solves A u = b by conjugate gradients, starting from the given u; r, p and w are work space.
+ * Returns the number of iterations. */
 static int conjugate_gradients(const cs *A, const double *b, double *u, double *r, double *p,
                                double *w) {
     memset(w, 0, sizeof *w * (size_t)n);

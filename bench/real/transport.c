@@ -4,11 +4,12 @@
  *
  * transport NODES STEPS >concentrations
  *
- * NODES junctions are connected by channels, each junction to a few upstream, as in rivers and
- * pipes. Concentrations follow dc/dt = (inflow - outflow + mixing) / volume, by Euler's implicit
- * method. The flow is steady, so the matrix is factorised once; each step solves it for a new
- * right-hand side, with UMFPACK's iterative refinement. Such matrices have little fill-in: products
- * with the matrix, in refinement, take a good part of the time of a solution.
+ * NODES junctions are connected by channels, as in rivers and pipes; water flows from each junction
+ * to a few others downstream. Concentrations follow dc/dt = (inflow - outflow + mixing) / volume,
+ * by Euler's implicit method. The flow is steady, so the matrix is factorised once. Each step
+ * solves the system for a new right-hand side, with UMFPACK's iterative refinement. The factors of
+ * such matrices are sparse (little fill-in), so the products with the matrix in the refinement take
+ * a good part of the time of a solution.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006; the calls are those of
  * UMFPACK's umfpack_simple.c.

@@ -176,8 +176,8 @@ static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
     const bool built =
-        execution->inspected && !plan->method->selects; /* `auto` keeps no plans of methods that
-                                                           select iterations during execution */
+        execution->inspected && !plan->method->selects; /* `auto` keeps no plan of a method that
+                                                           selects iterations during execution */
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),
@@ -215,8 +215,8 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
-/* If threads find their iterations during execution, the number of executed iterations is known
- * only afterwards. */
+/* For methods whose threads find their iterations during execution: sets the numbers of executed
+ * iterations, which are known only afterwards. */
 static void count_selected(const struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)

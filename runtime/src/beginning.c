@@ -23,11 +23,12 @@ enum {
     MOST_ARRAYS = 8 /* no translated loop has more arrays */
 };
 
-/* A time in seconds. If the sequential loop takes longer, the other iterations may repay the extra
- * cost of a first parallel execution: a sample, starting threads, and page faults. */
+/* A time in seconds. If the sequential loop takes longer, the iterations that follow the first ones
+ * may repay the extra cost of a first parallel execution: a sample, starting threads, and page
+ * faults. */
 static const double long_enough = 4 * LEARN_SAMPLE / LEARN_SHARE;
 
-/* The calling thread's state while it executes iterations in order. */
+/* The state of the calling thread while it executes iterations in order. */
 struct in_order {
     redcc_worker worker; /* must be first: the functions below convert a pointer to it */
     redcc_call call;
@@ -86,8 +87,9 @@ void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_me
     execute(site, attempt, member, context, from, attempt->trip);
 }
 
-/* Is this the first execution, and may `auto` decide about it? No with an order other than serial:
- * with the order `fixed`, sums depend on which iterations are executed together. */
+/* Is this the loop's first execution, and may `auto` decide about it? False with an order other
+ * than serial, because with the order `fixed` sums depend on which iterations are executed
+ * together. */
 static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
     if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))
@@ -107,8 +109,9 @@ static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc
     it->rest.key = it->key;
 }
 
-/* Executes the first `count` iterations in pieces. Returns the seconds that `count` iterations take
- * at the speed of the fastest piece: the first piece is slowed by page faults and cache misses. */
+/* Executes the first `count` iterations in pieces, and times each piece. Returns the seconds that
+ * `count` iterations take at the speed of the fastest piece, because the first piece is slowed by
+ * page faults and cache misses. */
 static double time_first(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                          const void *context, redcc_int count) {
     const redcc_int pieces = redcc_min(PIECES, count);

@@ -6,8 +6,8 @@
 
 #include <errno.h>
 
-/* Called after the last round: redcc_next hands out to the first thread what remains of the loop,
- * or the loop's repetition for validation. */
+/* Called after the last round. From then on redcc_next hands out, to the first thread only, the
+ * iterations that were not binned, or the loop's repetition for validation. */
 static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;
@@ -31,16 +31,15 @@ void redcc_hold_written(void *execution, uint32_t array, struct range written) {
                           (struct written){array, written}, it->run.validated);
 }
 
-/* The first thread executes the iterations between two rounds; the other threads wait for it in the
- * next round. */
+/* The first thread executes the iterations of a stretch between two rounds. The other threads wait
+ * for it at the beginning of the next round. */
 static void stretch(struct thread_state *thread, redcc_worker *worker) {
     const struct round *round = &thread->execution->state->binning.round;
     const redcc_int begin = thread->thread == 0 ? round->begin : round->end;
     redcc_run_stretch(worker, begin, round->end);
 }
 
-/* Restores the thread's state after the iterations that redcc_next handed out between two rounds.
- */
+/* Restores the thread's state after redcc_next has handed out the iterations of a stretch. */
 static void resume(struct thread_state *thread) {
     thread->runner.step = STEP_BEGIN;
     redcc_float_control_take(thread->execution->call.float_control);

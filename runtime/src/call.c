@@ -32,24 +32,24 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
 }
 
 /* Do the settings require other bits than those of the sequential loop (another order of the
- * contributions, or compensated sums)? Then even a single thread executes by a plan, within a
- * parallel region and concurrently with other threads, too, because the bits must always be the
- * same. */
+ * contributions, or compensated sums)? Then the bits must be the same in every execution. So even a
+ * single thread executes by a plan, also within a parallel region and while other threads execute
+ * the loop. */
 static bool is_always_planned(const struct settings *settings) {
     return settings->compensated ||
            (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
 }
 
-/* The named method. Compensated sums use LOCALWRITE by default: one thread adds to each element, in
- * the order of the loop. */
+/* The method that is used in place of auto; NULL: auto. Compensated sums use LOCALWRITE by default:
+ * one thread adds to each element, in the order of the loop. */
 static const struct method *method_of(const struct settings *settings) {
     if (!settings->method && settings->compensated)
         return &redcc_method_localwrite;
     return settings->method;
 }
 
-/* May a single thread execute the loop by a plan or in bins? In its vector form (lanes), the loop
- * may be faster than the sequential loop even then. */
+/* May a single thread execute the loop by a plan or in bins? It may if binning is named, or if the
+ * loop has a vector form (lanes), which may be faster than the sequential loop. */
 static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
     enum lanes_reason unused;
     const bool in_bins = settings->method && settings->method->in_bins;
@@ -125,7 +125,7 @@ redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks) {
 }
 
 /* May the execution take more than 1 ms, so that a user may be waiting for its end? Also true if
- * its duration is unknown, as for an inspection. */
+ * its duration is unknown, as before the first execution or with an inspection. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
     const bool is_inspected = !execution->call.in_bins && !execution->call.request.sections;
@@ -152,8 +152,8 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-/* The settings for a loop that is executed with copies of its sections (choose/sections.h), as if
- * that method were named. */
+/* The settings with which a loop is executed by shares of its sections (choose/sections.h): as if
+ * the method `sections` were named. */
 static struct settings settings_of_sections(const struct settings *settings, int shares) {
     struct settings own = *settings;
     own.method = &redcc_method_sections;
@@ -161,8 +161,8 @@ static struct settings settings_of_sections(const struct settings *settings, int
     return own;
 }
 
-/* The number of shares into which iterations are divided for an execution by sections. Below 2: the
- * loop is not executed by sections and keeps its order. */
+/* The number of shares into which the iterations are divided if OpenMP's clause names sections.
+ * Below 2: the loop is not executed by shares, and keeps its order. */
 static int section_shares(const redcc_loop *loop, const struct settings *settings, redcc_int trip,
                           void *const *bases, const redcc_extent *sections) {
     if (!sections || redcc_order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
@@ -204,8 +204,8 @@ static struct advice advice_for(struct execution *execution, int threads) {
     return advice;
 }
 
-/* Begins an execution of a loop that was acquired. Returns false if the loop must run serially, and
- * sets *reason. */
+/* Begins an execution in a state that was acquired. If the loop must run serially, sets *reason and
+ * returns false. */
 static bool begin_execution(struct execution *execution, const redcc_loop *loop, int threads,
                             enum reason *reason) {
     struct loop_state *state = execution->state;
@@ -259,8 +259,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* The number of threads to request. With compensated sums no sequential execution is timed; a short
- * loop then gets one thread. */
+/* The number of threads to request. With compensated sums the sequential loop is never timed, so
+ * that auto cannot compare; a short loop then gets one thread. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
@@ -273,8 +273,8 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 /* ---- the original loop, timed ---------------------------------------------------------------- */
 
 enum { MOST_SOURCES = 8 }; /* maximum number of sources whose ranges are stored */
-/* The original loop that this thread is about to execute, and its start time. If its body calls
- * another loop, that loop replaces it here, and this execution of the outer loop is not timed. */
+/* The original loop that this thread is about to execute, and its start time. If the loop's body
+ * calls another loop, that loop replaces it here, and the outer loop's execution is not timed. */
 static _Thread_local struct {
     const redcc_loop *loop; /* NULL: no loop is timed */
     redcc_int trip;
@@ -298,8 +298,8 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
     original.began = redcc_seconds();
 }
 
-/* Can the call proceed without a state? If the settings request only speed, a loop runs unchanged
- * at first, and gets a state once it has taken long enough. */
+/* Can the call proceed without a state? A loop without a state runs unchanged. It gets a state once
+ * it has taken long enough, or at once if the settings request more than speed. */
 static bool needs_no_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
                            const redcc_extent *known, bool may_gain) {
     if (redcc_made_state_of(loop) || (may_gain && redcc_advise_at_once(loop, trip)) ||
@@ -316,8 +316,8 @@ static void note_left_alone(struct statistics *statistics, enum rule rule) {
     redcc_note_serial(statistics);
 }
 
-/* Is the call skipped by back-off? Then the loop is released without preparations for threads, and
- * timed if the advice says so. */
+/* Is the call skipped by back-off? If so, sets *reason, releases the loop before any preparations
+ * for threads, and times the original loop if the advice says so. */
 static bool is_backed_off(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                           const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
@@ -331,8 +331,8 @@ static bool is_backed_off(struct loop_state *state, redcc_loop *loop, redcc_int 
     return true;
 }
 
-/* Does auto decide to run sequentially before the preparations for threads? Then the execution ends
- * here. */
+/* Does auto decide to run sequentially before the preparations for threads? If so, sets *reason and
+ * ends the execution. */
 static bool ends_early(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                        const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
@@ -347,9 +347,9 @@ static bool ends_early(struct loop_state *state, redcc_loop *loop, redcc_int tri
     return true;
 }
 
-/* Would OpenMP free memory with another allocator than it was allocated with
- * (redcc_allocator_is_split)? Then the execution ends here. The first call takes 0.06 ms, because
- * it reads the symbols of all objects. */
+/* If OpenMP would free memory by another allocator than the one that allocated it
+ * (redcc_allocator_is_split), ends the execution and returns true. The first call takes 0.06 ms,
+ * because it reads the symbols of all objects. */
 static bool must_avoid_regions(struct loop_state *state, bool always) {
     if (always || !redcc_allocator_is_split())
         return false;
@@ -359,7 +359,8 @@ static bool must_avoid_regions(struct loop_state *state, bool always) {
     return true;
 }
 
-/* Reports the time of a sequential execution to `auto`. known: NULL if unavailable. */
+/* Reports the time of a sequential execution to `auto`. `known` is NULL if the sources' ranges are
+ * unavailable. */
 static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
                           double seconds) {
     const int error = errno;

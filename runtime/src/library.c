@@ -17,9 +17,9 @@ static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
     redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
 }
 
-/* May the pointers be loaded in this execution (redcc_before_calls)? They may be loaded each time
- * if a method is named or the bits differ from those of the original loop, because then every
- * execution must be parallel if possible. */
+/* May the pointers be loaded in this execution (redcc_before_calls)? Always if a method is named,
+ * if sums are compensated, or under validation, because then every execution must be parallel if
+ * possible. Otherwise only if the last execution was long enough ago. */
 static int may_load(const redcc_loop *loop, redcc_word *last) {
     const struct settings *settings = redcc_settings_for(loop);
     return settings->method || settings->compensated || settings->validate ||

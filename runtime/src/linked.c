@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Checks that functions of other files are linked to the definitions that were analysed. Each
- * object describes its functions and their addresses (redcc_record). The records are compared with
- * the loop's expectations, and the addresses with the targets of the calls. */
+ * object describes its functions and their addresses (redcc_record). The digests of the records are
+ * compared with the loop's expectations, and the addresses with the targets of the calls. */
 #include <assert.h>
 #include <redcc/runtime.h>
 

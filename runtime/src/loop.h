@@ -2,9 +2,10 @@
 /**
  * The state of a loop over all its executions, of one execution, and of one thread in an execution.
  *
- * The thread that holds the loop (busy) fills the execution in redcc_enter. In the parallel region
- * each thread has its own state. Shared state is written by the last thread to arrive at the end of
- * a stage (pipeline.h) or, in bins, by the first thread, while the others wait.
+ * One thread at a time holds the loop (`busy`). It fills the execution in redcc_enter. In the
+ * parallel region each thread has its own state. Shared state is written by the last thread to
+ * arrive at the end of a stage (pipeline.h) or, in bins, by the first thread, while the others
+ * wait.
  */
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
@@ -32,10 +33,10 @@ struct execution {
     bool inspected;              /* an inspection began, and its memory must be freed */
     const struct method *method; /* the method that the inspection selected */
     struct run run;
-    bool binned;        /* the execution used bins, for all iterations or for the first rounds */
+    bool binned;        /* the execution used bins, at least for the first rounds */
     enum stage stage;   /* the next stage of all threads; set at a barrier */
     enum reason reason; /* why there is no plan, or why the last iterations of a binned loop were
-                           sequential */
+                           executed sequentially */
     double
         woken; /* time in seconds at which the thread with the highest number arrived; 0: not yet */
     struct barrier barrier;
@@ -49,7 +50,8 @@ struct thread_state {
     int thread;
     int threads;
     enum stage stage;
-    bool telling; /* iterations whose addresses are to be recorded were handed out in this stage */
+    bool telling; /* iterations were handed out in this stage, and their addresses are to be
+                     recorded */
     int node;     /* the NUMA node (base/node.h) on which the thread ran last; -1: unknown */
     bool moved;   /* `node` differs from the node in the previous execution */
     struct inspector inspector; /* stages sample, sweep, log and partition */
@@ -82,13 +84,13 @@ struct loop_state *redcc_state_of(redcc_loop *loop);
 /** The loop's state, or NULL if it has none. */
 struct loop_state *redcc_made_state_of(redcc_loop *loop);
 
-/** Acquires a state for a call: the loop's own state or, if another thread holds it and `always` is
- * set, a temporary one. Does not wait for the other thread, which may be waiting for this thread.
- * Returns NULL and sets *reason if there is no state. */
+/** Acquires a state for a call: the loop's own state or, if another thread holds that and `always`
+ * is set, a temporary one. It does not wait for the other thread, which may be waiting for this
+ * thread. If there is no state, returns NULL and sets *reason. */
 struct loop_state *redcc_loop_acquire(struct loop_state *state, redcc_loop *loop, bool always,
                                       enum reason *reason);
 
-/** Releases the state that redcc_loop_acquire returned. */
+/** Releases a state that redcc_loop_acquire returned. */
 void redcc_loop_release(struct loop_state *state);
 
 /** For tests: creates the loop's state, as a long execution would (unmade.h). */
@@ -103,29 +105,30 @@ bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int 
 /** Frees all threads' states. */
 void redcc_threads_end(struct loop_state *state);
 
-/** As redcc_enter. sections [array_count]: the sections of the attempt for a loop with
- * REDCC_SECTIONED; otherwise NULL. */
+/** As redcc_enter. For a loop with REDCC_SECTIONED, sections[array_count] has the sections of the
+ * attempt; otherwise it is NULL. */
 int redcc_enter_sectioned(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *known, const redcc_word *key,
                           const redcc_extent *sections, int threads, int nested);
 
-/** Called at the end of an execution: adds it to the report, and informs auto. Returns whether the
- * loop is done. */
+/** Called at the end of an execution: adds it to the report, and informs auto of it. Returns
+ * whether the loop is done; if not, the original loop must run. */
 bool redcc_account(struct execution *execution);
 
 /** Counts updates of rows that a slice did not name, which are validation failures. */
 void redcc_note_misnamed(redcc_loop *loop, long count);
 
-/** Informs auto of a call's result. `reason` says why there was no plan, or is REASON_NONE. */
+/** Informs auto of a call's result. `reason` says why the loop did not run in parallel, or is
+ * REASON_NONE. */
 void redcc_inform_auto(struct loop_state *state, const redcc_loop *loop,
                        const struct outcome *outcome, enum reason reason);
 
-/** Called under validation before bytes of an array are written (written_witness of
- * bins/binning.h): saves these bytes. */
+/** Called under validation before bytes of an array are written: saves these bytes. It is the
+ * function `tell` of struct written_witness (bins/binning.h). */
 void redcc_hold_written(void *execution, uint32_t array, struct range written);
 
-/** Counts a call of a loop that ran sequentially because there was no memory for what redcc_run
- * allocates before redcc_enter. */
+/** Counts a call that ran sequentially because there was no memory for what redcc_run allocates
+ * before redcc_enter. */
 void redcc_note_no_memory(redcc_loop *loop);
 
 /** Counts that a call falls back to the original loop. */
@@ -134,15 +137,15 @@ void redcc_count_fallback(struct loop_state *state, enum reason reason);
 /** Stores the rule (row of auto's decision table) for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);
 
-/** If a changed subscript has invalidated a plan since the last call of this function, counts it.
- */
+/** Counts a plan that a changed subscript has made invalid, if that has happened since the last
+ * call of this function. */
 void redcc_count_lost(struct execution *execution);
 
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
-/** Records the time of the loop's first execution, if all its iterations were executed in order.
- * known: as in redcc_enter. */
+/** Records the time of the loop's first execution, in which all iterations were executed in order.
+ * `known` is that of redcc_enter. */
 void redcc_note_done(redcc_loop *loop, redcc_int trip, const redcc_extent *known, double seconds);
 
 /** Records the time of the first `done` iterations of the loop's first execution, which were

@@ -56,7 +56,7 @@ static int cut_line(char *place) {
     return (int)line;
 }
 
-/* Is one name a suffix of the other that begins at a path component? The name at compile time and
+/* Is one name a suffix of the other, beginning at a path component? The name at compile time and
  * the name that the user gives may be relative to different directories. */
 static bool is_same_file(const char *a, const char *b) {
     const size_t a_length = strlen(a), b_length = strlen(b);
@@ -133,8 +133,8 @@ static const char *last_part(const char *file) {
     return slash ? slash + 1 : file;
 }
 
-/* How far an executed loop is from the one that is named. Loops of another file are farther than
- * all loops of the same file. */
+/* The distance between an executed loop and the named loop. Loops of the same file differ by lines;
+ * loops of other files are farther than those. */
 static size_t distance_to(const struct named_loop *loop, const struct reported *reported) {
     const size_t lines = (size_t)labs((long)loop->line - (long)reported->line);
     const size_t letters =

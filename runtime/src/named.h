@@ -41,8 +41,8 @@ void redcc_named_read(struct named *named, const char *value);
  * Thread-safe. */
 const struct named_loop *redcc_named_find(const struct named *named, const redcc_loop *loop);
 
-/** Prints on standard error the loops of REDCC_METHOD that were never executed. For each of them it
- * names the nearest loop of the report. */
+/** For each loop of REDCC_METHOD that was never executed, prints a line to standard error, with the
+ * nearest loop of the report. */
 void redcc_named_note_unmet(const struct named *named, const struct reported *reported);
 
 #endif

@@ -15,12 +15,12 @@ size_t redcc_operands_most_bytes(void) {
     return memory > 0 && memory < SIZE_MAX ? (size_t)memory / 4 : SIZE_MAX / 4;
 }
 
-/* Allocates an operand of `size` bytes for each iteration. NULL: the trip count is not positive, or
- * memory ran out, which is reported. */
+/* Allocates memory for an operand of `size` bytes per iteration. Returns NULL if the trip count is
+ * not positive, or if memory runs out, which is reported. */
 static void *alloc_operand(redcc_loop *loop, redcc_int trip, redcc_size size) {
     if (trip <= 0)
         return NULL;
-    (void)redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
+    (void)redcc_is_forked(); /* must precede any use of memory that the parent process allocated */
     assert(size > 0);
     const bool fits = (redcc_size)trip <= redcc_operands_most_bytes() / size;
     void *operands = fits ? redcc_memory_alloc((size_t)trip * size) : NULL;

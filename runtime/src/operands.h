@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** The limit for operands in bytes. Without REDCC_MEMORY_LIMIT it is a quarter of the machine's
- * memory, because the loop's arrays and plans need memory, too. */
+/** The limit in bytes for operands. Without REDCC_MEMORY_LIMIT it is a quarter of the machine's
+ * memory, because the loop's arrays and plans also need memory. */
 size_t redcc_operands_most_bytes(void);
 
 /** Allocates and sets attempt->operands and attempt->series. Returns false and allocates nothing if

@@ -77,8 +77,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         return redcc_is_unlinked(loop);
     if (!redcc_operands_alloc_all(loop, attempt))
         return 0;
-    /* The check is made even if the loop then runs sequentially: a row named for the wrong array
-     * may be the reason, because it makes arrays appear to overlap. */
+    /* Done even if the loop then runs sequentially. It may run so because a row was named for the
+     * wrong array, which makes arrays appear to overlap. */
     if (redcc_settings()->validate && loop->flags & REDCC_BY_HAND)
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct beginning beginning;

@@ -20,9 +20,9 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
 
 /* ---- verify ---------------------------------------------------------------------------------- */
 
-/* A named method may use any of its kept plans; auto uses only plans of the strategy that it has
- * chosen. A plan without a schedule is kept by auto only if it is for tiles, because such a plan
- * does not depend on subscripts. */
+/* Searches for a plan. If a method is named, any of its kept plans may be used; auto uses only
+ * plans of the strategy that it has chosen. Of the plans without schedules, auto keeps only those
+ * for tiles, because they do not depend on subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
@@ -124,8 +124,8 @@ static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
                                                                          : PROGRESS_MEET;
 }
 
-/* Called if the access graph cannot be built. Falls back to owners by address, or to another choice
- * of auto. */
+/* Called if the access graph cannot be used. Falls back to owners by address, or to what auto
+ * chooses instead; a named method in levels is refused. */
 static enum stage fall_back(struct execution *execution) {
     const struct method *named = execution->call.method;
     if (named && named->in_levels)
@@ -159,8 +159,8 @@ static enum stage sweep_for_extents(struct execution *execution) {
     return possible ? STAGE_SWEEP : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* Cuts the arrays of each group into the ranges of the owners, and continues with a sweep; or ends,
- * if auto decides so from the sample. */
+/* Cuts the arrays of each group into the ranges of the owners, and continues with a sweep. If auto
+ * decides by the sample that the inspection does not pay, ends it. */
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
@@ -217,8 +217,8 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
     return PROGRESS_MEET;
 }
 
-/* The last check before a plan is built: returns a reason why this method cannot execute this loop,
- * or REASON_NONE. */
+/* The last check before a plan is built: returns the reason why this method cannot execute this
+ * loop, or REASON_NONE. */
 static enum reason objection(const struct inspection *inspection, const struct method *method) {
     if (inspection->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
         return REASON_MIXED;
@@ -260,12 +260,12 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
     return execution->run.plan ? STAGE_PLAN : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* After all iterations are recorded: selects the named method, or the method that auto chooses now.
- */
+/* Called when all iterations are recorded: selects the named method, or the method that auto now
+ * chooses, and returns the next stage. */
 static enum stage choose_method(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     if (inspection->route == ROUTE_COPIES && !redcc_copies_allowed(inspection)) {
-        inspection->no_copies = true; /* the touched range is larger than it was in the sample */
+        inspection->no_copies = true; /* all iterations touch a larger range than the sample did */
         return cut(execution);
     }
     const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);

@@ -31,7 +31,8 @@
 #define REDCC_PIPELINE_H
 
 enum stage {
-    STAGE_RECOUNT, /* fewer threads arrived than were requested: searches for a plan for them */
+    STAGE_RECOUNT, /* fewer threads arrived than were requested, so a plan for this number is
+                      searched for */
     STAGE_VERIFY,
     STAGE_DRY_RUN,
     STAGE_SAMPLE,
@@ -40,22 +41,24 @@ enum stage {
     STAGE_JOIN,
     STAGE_PLAN,
     STAGE_RUN,
-    STAGE_BINS, /* binning: no plan; after an inspection only with REDCC_BINS_CHECKED */
+    STAGE_BINS, /* binning, without a plan; an inspection comes before only with REDCC_BINS_CHECKED
+                 */
     STAGE_OVER, /* nothing runs in parallel */
     STAGES
 };
 
 struct execution;
 
-/** Searches for a kept plan for the call, with its current number of threads. */
+/** Searches for a kept plan for the call and its present number of threads; sets reuse.found or,
+ * with sections, run.plan. */
 void redcc_find_plan(struct execution *execution);
 
 /** What a stage's function `each` returns. */
 enum progress {
-    PROGRESS_TELL, /* the program must record the addresses of some iterations before `each` is
+    PROGRESS_TELL, /* the program must now record the addresses of some iterations; then `each` is
                       called again */
     PROGRESS_MEET, /* the stage is done: a barrier follows, and one thread calls `then` */
-    PROGRESS_PASS  /* the stage is done, and needs no barrier: the next stage is `passed` */
+    PROGRESS_PASS  /* the stage is done without a barrier: the next stage is `passed` */
 };
 
 #endif

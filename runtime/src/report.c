@@ -39,8 +39,8 @@ void redcc_report_remove(struct reported *reported) {
             at->next = reported->next;
 }
 
-/* Counts a text in a slot that is free (count 0) or has the same text. False: the slot has another
- * text. The text must fit into the slot. */
+/* Counts a text in a slot that is free (count 0) or already has this text. Returns false if the
+ * slot has another text. The text must fit into the slot. */
 static bool count_text(char *place, long *count, const char *text) {
     if (*count == 0)
         memcpy(place, text, strlen(text) + 1);
@@ -69,8 +69,8 @@ void redcc_report_lost(struct statistics *statistics, const char *array) {
             return;
 }
 
-/* Expands %p to the process's id, so that each of several processes writes a separate report. NULL:
- * out of memory. */
+/* Replaces %p by the process's id, so that each of several processes writes a separate report.
+ * NULL: out of memory. */
 static char *spell_name(const char *name) {
     const size_t room = 24 * strlen(name) + 1; /* %p has two letters; an id has fewer than 40 */
     char *spelled = redcc_memory_alloc(room);
@@ -91,12 +91,12 @@ static char *spell_name(const char *name) {
 /* ---- several runtimes in one process ---------------------------------------------------------
  *
  * If a library has its own runtime, both runtimes write to the same file from the same process. The
- * second one to write recognises the first one's report by its first line, and adds its own loops.
- */
+ * second one to write recognises the first one's report by its first line, keeps the loops in it,
+ * and adds its own loops. */
 
 static const char end_of_report[] = "]}\n";
 
-/* Is the file regular? Returns `otherwise` if that is unknown. */
+/* Is this a regular file? Returns `otherwise` if that is unknown. */
 static bool is_regular(const char *name, unsigned flags, bool otherwise) {
 #if defined(__linux__)
     struct statx found;
@@ -179,8 +179,8 @@ static bool write_through(const char *name, const char *head, const char *others
 }
 
 /* Writes the report under a temporary name in the same directory, then renames it, so that no
- * reader sees an incomplete report. If no temporary file can be created, writes directly to the
- * file. False: writing failed. */
+ * reader finds an incomplete report. If no temporary file can be created, writes directly to the
+ * file. Returns false if writing failed. */
 static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
     char *beside = redcc_memory_alloc(room);
@@ -234,8 +234,8 @@ static void end_program(void) {
     _exit(REDCC_BROKEN); /* not exit, because this is one of exit's handlers */
 }
 
-/* Registers the handler at program start, because the handler registered first runs last: after the
- * program's handlers, and after all reports were written. */
+/* Registers the handler at program start, because the handler that is registered first runs last:
+ * after the program's handlers, and after all reports were written. */
 __attribute__((constructor)) static void register_end(void) {
     const char *value = redcc_environment("REDCC_VALIDATE");
     if (value && strcmp(value, "1") == 0)

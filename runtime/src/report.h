@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Counters of each loop, and the report of REDCC_REPORT: a JSON object written at exit. */
+/** Counters of each loop, and the report that REDCC_REPORT requests: a JSON object written at
+ * exit. */
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 
@@ -12,8 +13,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-/** The mode in which a loop's last call ran: identifier, slug, meaning. docs/report.md lists the
- * slugs, and a test compares the two lists. */
+/** The mode in which a loop's last call was executed. Each mode has an identifier, a slug and a
+ * meaning. docs/report.md lists the slugs, and a test compares the two lists. */
 #define REDCC_MODE_LIST(X)                                                                         \
     X(MODE_NONE, "none", "no call had an iteration to execute")                                    \
     X(MODE_SEQUENTIAL, "sequential", "the original loop")                                          \
@@ -31,7 +32,7 @@ enum mode {
 
 enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
-/** A text with names from the user's source, and the number of times it was reported. */
+/** A text with names from the user's source, and how often it was reported. */
 struct counted_text {
     char text[REDCC_TEXT];
     long count;
@@ -41,8 +42,7 @@ struct counted_text {
 struct last_execution {
     redcc_int stages;
     redcc_int trip;
-    redcc_int length; /* the largest number of iterations that one thread executes, which bounds the
-                         time */
+    redcc_int length; /* the makespan in iterations, a lower bound of the time */
     bool compensated; /* sums were compensated */
     int lanes;        /* number of iterations executed at once; 0: one by one */
     enum lanes_reason lanes_reason;
@@ -53,7 +53,7 @@ struct last_execution {
 struct extra_work {
     size_t bytes; /* size of the largest plan, or the most memory used for bins */
     redcc_int
-        executed; /* number of executed iterations; if several threads execute one, each counts */
+        executed; /* number of executed iterations; each counts once per thread that executes it */
 };
 
 /** Timings of the original loop. */
@@ -66,8 +66,7 @@ struct timed_sequential {
 /** Placement of the loop's threads. */
 struct placement {
     int nodes;  /* number of NUMA nodes in the last execution; 0: unknown */
-    long moves; /* total number of times that a thread ran on another node than in the execution
-                   before */
+    long moves; /* how often, in total, a thread ran on another node than in the execution before */
 };
 
 /** Plans that could not be reused because a subscript had changed. */
@@ -76,10 +75,11 @@ struct lost_plans {
     struct lost_to {
         char name[REDCC_NAME];
         long count;
-    } array[REDCC_LOST]; /* the first few changed arrays; other arrays only add to the total */
+    } array[REDCC_LOST]; /* the first few arrays that changed; changes of other arrays only add to
+                            the total */
 };
 
-/** Counters of a loop. Those that are updated without holding the loop are atomic. */
+/** Counters of a loop. Those that threads may update without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
@@ -92,8 +92,8 @@ struct statistics {
     struct placement placement;
     long plans_built;
     long plans_reused;
-    long watched; /* number of reuses in which write tracking made it unnecessary to read some
-                     subscripts */
+    long watched; /* number of reuses in which write tracking made it unnecessary to read at least
+                     one subscript array */
     struct lost_plans lost;
     double inspect_seconds;
     double execute_seconds;
@@ -104,7 +104,8 @@ struct statistics {
     struct validated validated;
 };
 
-/** A loop in the report. The texts are copies, because the loop's library may be unloaded. */
+/** A loop in the report. The texts are copies, because the library that contains the loop may be
+ * unloaded. */
 struct reported {
     struct reported *next;
     char *file;
@@ -122,33 +123,34 @@ const struct reported *redcc_report_loops(void);
 /** For tests: removes a loop from the list. No other thread may use the list. */
 void redcc_report_remove(struct reported *reported);
 
-/** Counts a fallback due to an overlap of the two named arrays. */
+/** Counts a fallback because source `source` overlaps `array`. */
 void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array);
 
-/** Counts a plan that could not be reused because the array had changed. */
+/** Counts a plan that could not be reused because the subscript array `array` had changed. */
 void redcc_report_lost(struct statistics *statistics, const char *array);
 
 enum { REDCC_BROKEN = 3 /* exit status if validation found an error */ };
 
 /** Prints the results of validation to standard error: lines for each loop, and the number of loops
- * that ran in parallel. Returns whether there was an error. */
+ * that ran in parallel. Returns whether it found an error. */
 bool redcc_report_validation(void);
 
-/** The beginning of each report of this process, which is unique: the open brace and the members
- * "process" and "started". */
+/** Writes the beginning of each report of this process to `head`: the open brace and the members
+ * "process" and "started". It identifies the process. */
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 
-/** Called when the settings are read. The report counts seconds and preemptions from then
+/** Called when the settings are read. The report counts seconds and preemptions from this moment
  * on. */
 void redcc_report_begin(void);
 
-/** Should the report advise the user to set OMP_WAIT_POLICY=passive, because cores were preempted
- * `lost` times in this number of seconds? policy: the value of OMP_WAIT_POLICY, NULL if unset;
- * has_spin_time: another variable sets the spin time. */
+/** Should the report advise the user to set OMP_WAIT_POLICY=passive? It should if cores were
+ * preempted often: `lost` times in `seconds` seconds. `policy` is the value of OMP_WAIT_POLICY
+ * (NULL if unset). If it is passive already or another variable sets the spin time (has_spin_time),
+ * the answer is no. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time);
 
-/** Writes the JSON object after its head: data common to all loops, and "loops". */
+/** Writes the JSON object from the end of its head on: data common to all loops, and "loops". */
 void redcc_report_body(FILE *out);
 
 /** Writes the loops as objects separated by commas. */

@@ -47,7 +47,8 @@ static void spell_method(char name[LONGEST_METHOD], const struct statistics *sta
 }
 
 /* Speed-up per iteration: the sequential loop's seconds divided by the seconds of parallel
- * executions, which include all inspections and plans. 0: one of these times was not measured. */
+ * executions, which include all inspections and plan constructions. 0 if one of these times was not
+ * measured. */
 static double speedup_of(const struct statistics *it) {
     const double parallel = it->inspect_seconds + it->execute_seconds;
     if (it->in_loops == 0 || it->sequential.iterations == 0 || parallel <= 0)
@@ -249,7 +250,7 @@ static void write_notes(FILE *out, const struct statistics *it) {
 }
 
 /* If other processes are busy, cores are preempted some 50 to 200 times a second (docs/report.md).
- * On an idle machine, they are rarely preempted. */
+ * On an idle machine they are rarely preempted. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time) {
     assert(seconds >= 0);
     const long many = 10, a_second = 20;

@@ -52,8 +52,8 @@ static void tell_comparison(const struct reported *loop) {
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
 }
 
-/* Prints the number of updates whose rows the slices did not name. (The first few of them were
- * printed when they were found.) */
+/* Prints how many updates were made to rows that the slices did not name. (The first few of these
+ * updates were printed when they were found.) Returns whether there were any. */
 static bool print_misnamed(const struct reported *loop) {
     const long count = atomic_load(&loop->statistics.validated.misnamed);
     if (count == 0)

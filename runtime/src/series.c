@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Operands of floating scalars, any number per iteration (redcc/series.h). If several threads
- * execute an iteration, each for its own elements, each of these threads computes the same
- * operands, or none. So it does not matter which thread is the last to store its part.
+ * Operands that inner loops add to floating scalars; an iteration may have any number of them
+ * (redcc/series.h). Several threads may execute an iteration, each for its own elements. Each of
+ * these threads then stores all operands of the iteration, or none. So it does not matter which of
+ * them is the last to store its part.
  *
- * If memory runs out during the loop, the arrays are already written, and the original loop cannot
- * run. Only operands are lost, and they do not depend on the loop's updates: executing all
+ * If memory runs out during the loop, the original loop cannot run, because the arrays are already
+ * written. But only operands are lost, and they do not depend on the loop's updates: executing all
  * iterations again, without owning any element, reproduces them.
  */
 #include "series.h"

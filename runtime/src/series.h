@@ -5,8 +5,8 @@
 
 #include <redcc/runtime.h>
 
-/** Allocates a series for a loop of `trip` iterations. NULL: the trip count is not positive, or
- * memory ran out, which is reported. Then the original loop must run. */
+/** Allocates a series for a loop of `trip` iterations. Returns NULL if the trip count is not
+ * positive, or if memory runs out, which is reported. Then the original loop must run. */
 redcc_series *redcc_series_alloc(redcc_loop *loop, redcc_int trip);
 
 /** Frees a series; NULL does nothing. */
@@ -14,12 +14,12 @@ void redcc_series_free(redcc_series *series);
 
 void redcc_series_join(redcc_series_writer *writer, redcc_series *series);
 
-/** Called by redcc_series_put: provides memory for an operand of iteration number k. 0: no memory
- * is needed because the thread adds operands directly, or none is left. */
+/** Called by redcc_series_put: provides memory for an operand of iteration number k and returns 1.
+ * Returns 0 if the thread is to add its operands directly, or if no memory is left. */
 int redcc_series_room(redcc_series_writer *writer, redcc_int k);
 
-/** If operands were lost, hands out all iterations again to the first thread, as redcc_next does.
- * Each thread must call it, with all series of the loop, until it returns 0. */
+/** Called by each thread, with all series of the loop, until it returns 0. If operands were lost,
+ * hands out all iterations again to the first thread and returns 1, as redcc_next does. */
 int redcc_series_repeats(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 /** Returns 1 to the first thread once the loop is done and all operands are stored; 0 to other
@@ -34,14 +34,14 @@ int redcc_series_has_any(const redcc_series *series);
 const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k);
 
 /** Called when the thread has executed its band of rows: waits until the operands of all bands
- * above were added. */
+ * above were added to the sums. */
 void redcc_series_await_band(redcc_worker *worker);
 
 /** The operands of iteration k, which belongs to the thread's band; NULL: it has none. */
 const redcc_series_part *redcc_series_part_of(const redcc_series *series, redcc_int k);
 
-/** Called when all operands of the thread's band were added: reuses their memory for its next band,
- * and lets the thread of the next band add its operands. */
+/** Called when all operands of the thread's band were added to the sums. Reuses their memory for
+ * the thread's next band, and lets the thread with the next band add its operands. */
 void redcc_series_end_band(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 #endif

@@ -18,15 +18,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The least trip count at which a loop with short iterations calls the runtime. Each of these
- * iterations takes some nanoseconds, so fewer of them take too little time for a state (unmade.h).
- * A call costs 20 to 30 nanoseconds, as much as a tenth of 200 iterations. */
+/* The trip count from which a loop with short iterations calls the runtime. Such an iteration takes
+ * some nanoseconds, so fewer iterations are too short for a state (unmade.h). A call costs 20 to 30
+ * nanoseconds, as much as a tenth of 200 iterations. */
 enum { LEAST_TRIP = 1024 };
 
-/* The number of short iterations that the program executes before the first call of the runtime,
- * which costs 2 microseconds for page faults. Iterations take at least 0.3 ns each, so the call
- * costs at most a twentieth of this time. With iterations of 0.3 microseconds (mathematical
- * functions) this time is 0.04 s. */
+/* The number of short iterations that the program executes before it calls the runtime for the
+ * first time. The first call costs 2 microseconds, for page faults. Iterations take at least 0.3 ns
+ * each, so it costs at most a twentieth of the time of these iterations. If an iteration takes 0.3
+ * microseconds (mathematical functions), they take 0.04 s. */
 enum { EXEMPT_ITERATIONS = 1 << 17 };
 
 redcc_int redcc_least_trip;
@@ -34,7 +34,7 @@ redcc_int redcc_exempt_iterations;
 
 static struct settings settings;
 static struct named named;
-static char complaint[1024]; /* message on the first error in the environment; "": none */
+static char complaint[1024]; /* message about the first error in the environment; "": no error */
 
 void redcc_stop(const char *format, ...) {
     va_list arguments;
@@ -93,8 +93,8 @@ static void read_order(const char *value) {
     redcc_complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
-/* The index of the value among the names. `otherwise` if the variable is unset or, after an error
- * was recorded, if its value is unknown. */
+/* The index of the value among the names. Returns `otherwise` if the variable is unset, or if its
+ * value is not among the names; then an error is recorded. */
 static unsigned read_named(const char *variable, const char *value, const char *const *names,
                            unsigned count, unsigned otherwise) {
     if (!value || !*value)
@@ -184,9 +184,9 @@ static void read_memory_limit(const char *value) {
         settings.memory_limit = 1; /* a limit that permits nothing, since 0 would mean no limit */
 }
 
-/* Under validation, selects LOCALWRITE if no method is named: every loop must run in parallel if
- * possible, from its first call on. Auto would begin with the sequential loop and, in a short
- * program, not change to another. */
+/* The method in force if `said` was named. Under validation, it is LOCALWRITE if no method is
+ * named, because every loop must run in parallel if possible, from its first call on. Auto would
+ * begin with the sequential loop and, in a short program, never execute it in parallel. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;
@@ -205,8 +205,8 @@ static void take_methods(void) {
     }
 }
 
-/* Creates the settings of a loop with its own method. All other settings are copied from the common
- * ones. */
+/* Creates the settings of a loop for which REDCC_METHOD names a method. All other settings are
+ * copied from the common ones. */
 static void copy_settings(struct named_loop *loop) {
     loop->settings = redcc_memory_alloc(sizeof *loop->settings);
     if (!loop->settings)
@@ -266,8 +266,9 @@ const struct settings *redcc_settings(void) {
     return &settings;
 }
 
-/* Reads the settings before main if no variable REDCC_... is set. Otherwise a loop of some
- * microseconds would take three times as long in its first execution. */
+/* Reads the settings before main, if no REDCC_... variable is set, except those that only a build
+ * reads. If they were read later, the first execution of a loop of some microseconds would take
+ * three times as long. */
 __attribute__((constructor)) static void read_early(void) {
     redcc_team_bind();
     if (redcc_any_variable())

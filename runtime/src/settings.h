@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The settings that environment variables make (variables.h). */
+/** The settings, which environment variables determine (variables.h). */
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
@@ -26,15 +26,15 @@ struct settings {
  *  2 if a value is invalid. Thread-safe. */
 const struct settings *redcc_settings(void);
 
-/** The settings for the loop: as redcc_settings, but with the method that REDCC_METHOD names for
- * this loop, if any. */
+/** The settings for the loop: those of redcc_settings, but with the method that REDCC_METHOD names
+ * for this loop, if it names one. */
 const struct settings *redcc_settings_for(const redcc_loop *loop);
 
 /** Records an error in the environment. redcc_settings stops with the first error. */
 void redcc_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/** Reports that a value is not one of `count` names: lists all names, and suggests the nearest one.
- */
+/** Records an error: the value of `variable` is not one of `count` names. The message lists all
+ * names, and suggests the nearest one. */
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count);
 
@@ -43,8 +43,8 @@ static inline redcc_order redcc_order_of(const redcc_loop *loop, const struct se
     return settings->order_given ? settings->order : (redcc_order)loop->order;
 }
 
-/** Parses a size such as REDCC_MEMORY_LIMIT: digits and optionally K, M or G. False if it is
- * invalid. */
+/** Parses a size such as that of REDCC_MEMORY_LIMIT: digits, and optionally K, M or G. Returns
+ * false if it is invalid. */
 bool redcc_parse_bytes(const char *text, size_t *bytes);
 
 /** The name of an order: "serial", "fixed" or "any". */

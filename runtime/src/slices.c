@@ -12,14 +12,14 @@ enum { ENTRIES = 64, MOST_MESSAGES = 3 };
 
 struct checker;
 
-/* Installed as the hook (execute/hook.h) of each array's owner, so that the body's owner check
+/* A hook (execute/hook.h) that is installed in each array's owner, so that the body's owner check
  * calls ask() before each update. */
 struct asking_hook {
     struct checker *checker;
     redcc_u32 array;
 };
 
-/* The state of the check, which treats iterations one by one. */
+/* The state of the check, which executes slice and body of one iteration after the other. */
 struct checker {
     redcc_worker worker; /* must be first: the functions below convert a pointer to it */
     redcc_call call;
@@ -122,8 +122,8 @@ static void report(struct checker *it, redcc_u32 number, const char *address) {
             loop->file, loop->line, loop->function, row, array->name, it->k);
 }
 
-/* Called before each update. Reports the update if the slice did not name its row. Permits no
- * update, so that the arrays stay unchanged. */
+/* Called before each update. Reports the update if the slice did not name its row. Returns 0, so
+ * that the update is not made and the arrays stay unchanged. */
 static int ask(struct redcc_hook *hook, const void *address) {
     const struct asking_hook *asking = (const struct asking_hook *)(const void *)hook;
     struct checker *it = asking->checker;

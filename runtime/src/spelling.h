@@ -5,12 +5,12 @@
 
 #include <stddef.h>
 
-/** The number of letters to insert, remove or change to make one word of the other (Levenshtein
- * distance, 1966). Only the first 64 letters of each word count. */
+/** The number of letters to insert, remove or change that turn one word into the other (Levenshtein
+ * distance, 1966). Considers only the first 64 letters of each word. */
 size_t redcc_spelling_distance(const char *a, const char *b);
 
-/** The index of the name nearest to `word` among `count` >= 1 names. If several are equally near,
- * returns the first. */
+/** The index, among `count` >= 1 names, of the name nearest to `word`. If several are equally near,
+ * it is the first of them. */
 size_t redcc_spelling_nearest(const char *word, const char *const *names, size_t count);
 
 #endif

@@ -6,18 +6,18 @@
 #include <assert.h>
 #include <stdint.h>
 
-/* The least duration of an execution that is worth a state: at this duration, waking threads pays
- * on an idle machine. (The learner decides again, with the measured cost.) */
+/* Seconds. An execution of at least this duration is worth a state: waking threads for it pays on
+ * an idle machine. (The learner decides again, with the measured cost of waking threads.) */
 static const double least_seconds = LEARN_WAKES * LEARN_SAMPLE / 40;
 
-/* The total time of a loop's executions, in seconds, after which it gets a state. A state, together
+/* Seconds. A loop gets a state once its executions have taken this time in total. A state, together
  * with the one-time initialisation of the process, costs 0.04 to 0.3 ms, which is small compared
  * with this time. Before that, no inspection could pay off. */
 static const double enough = 12.5 * LEARN_SAMPLE;
 
 enum {
-    SIZE_BITS = 7, /* number of bits of the word's field `size`; the field is above the lowest bit,
-                      which is 1 */
+    SIZE_BITS = 7,    /* number of bits of the word's field `size`. This field is next to the lowest
+                         bit, which is 1 */
     NUMBER_BITS = 12, /* number of bits of `left`, and of `length` */
     EARNED_BITS = 13  /* number of bits of `earned` */
 };
@@ -28,7 +28,9 @@ struct word {
     unsigned size;   /* the base-2 logarithm of the trip count */
     unsigned left;   /* number of calls until the loop is timed again */
     unsigned length; /* number of calls between two timings */
-    unsigned earned; /* total time of the executions that were long enough, in microseconds */
+    unsigned earned; /* estimated total time, in microseconds, of the executions so far, including
+                        those not timed; 0 if the last timed one took less than least_seconds or had
+                        a smaller trip count */
 };
 
 static unsigned size_of(redcc_int trip) {
@@ -53,10 +55,10 @@ static void replace(void **state, void *before, struct word word) {
                                 __ATOMIC_RELAXED);
 }
 
-/* Is this call counted? Only one call in EACH is counted, as EACH calls. Counting every call would
- * be slow, because a locked instruction takes as long as twenty additions. Calls are selected by
- * steps of the golden ratio, so that loops that are called alternately are counted equally often.
- */
+/* Is this call counted? One call in EACH is counted, and stands for EACH calls. Counting every call
+ * would be slow, because a locked instruction takes as long as twenty additions. Calls are selected
+ * by steps of the golden ratio, so that loops that are called alternately are counted equally
+ * often. */
 enum { EACH = 16 };
 static bool counts(void) {
     static _Thread_local uint32_t place;
@@ -80,8 +82,8 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* The estimated time of all calls before this one: the time recorded at the last timing, plus this
- * call's time for each call in between. At most `enough`. */
+/* The estimated seconds of all calls before this one, at most `enough`: the estimate at the last
+ * timing, plus `seconds` (the time of this call) for each call since. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
     return timed + (between < left ? between : left);

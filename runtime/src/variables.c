@@ -33,13 +33,13 @@ enum {
     NAMES = sizeof names / sizeof *names,
     OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* number of variables that a translated program
                                                        reads; these are the first in names[] */
-    ALIKE =
-        3 /* a name with fewer differing letters than this is taken for a misspelt build variable */
+    ALIKE = 3 /* a name that differs from a build variable in fewer letters than this is taken for a
+                 misspelling of it */
 };
 #undef REDCC_VARIABLE
 
-/* Ignores the environment if the program has more rights than its caller (setuid): the caller must
- * not control where the program writes. */
+/* Ignores the environment if the program has more rights than its caller (setuid), who must not
+ * control where the program writes. */
 const char *redcc_environment(const char *name) {
     return redcc_system_is_privileged() ? NULL : getenv(name);
 }
@@ -48,8 +48,8 @@ static bool is_ours(const char *variable) {
     return strncmp(variable, "REDCC_", 6) == 0;
 }
 
-/* Is this a build variable such as "REDCC_CACHE=off"? A shell may export these variables for
- * building and running. */
+/* Is this a build variable such as "REDCC_CACHE=off"? A shell may export such variables for
+ * building and running alike. */
 static bool is_of_build(const char *variable) {
     const size_t length = strcspn(variable, "=");
     for (size_t n = OF_RUN; n < NAMES; n++)
@@ -67,8 +67,8 @@ bool redcc_any_variable(void) {
     return false;
 }
 
-/* Reports an unknown variable, unless it may be a misspelt build variable. The build reports those.
- */
+/* Reports an unknown variable, unless it may be a misspelt build variable. Building reports
+ * those. */
 static void note_if_unknown(const char *name) {
     const size_t nearest = redcc_spelling_nearest(name, names, NAMES);
     const size_t distance = redcc_spelling_distance(name, names[nearest]);

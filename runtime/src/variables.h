@@ -19,16 +19,16 @@
     X("REDCC_LANES")                                                                               \
     X("REDCC_WATCH")
 
-/** The value of an environment variable. NULL: the variable is unset, or the program has more
- * rights than its caller (setuid), so that the environment must be ignored. */
+/** The value of an environment variable. NULL if the variable is unset, or if the program has more
+ * rights than its caller (setuid): then the environment is ignored. */
 const char *redcc_environment(const char *name);
 
-/** Prints to standard error the variables REDCC_... that are set and that neither translated
+/** Prints to standard error those REDCC_... variables that are set, but that neither translated
  * programs nor redcc and redcc-cc read. Called once. */
 void redcc_note_unknown_variables(void);
 
-/** Is a variable set whose name begins with REDCC_, other than those that only a build reads? Also
- * true if the environment is unknown. */
+/** Is a variable set whose name begins with REDCC_? Those that only a build reads do not count.
+ * Also true if the environment is unknown. */
 bool redcc_any_variable(void);
 
 #endif

@@ -52,8 +52,8 @@ static const char *const remedies[REASON_COUNT] = {
     [REASON_TWO_ADDRESSES] = "map the memory once",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
-/* The number of calls that were sequential for this reason. Overlaps are counted by pairs of
- * arrays. */
+/* The number of calls that were sequential for this reason. For overlaps it includes the counts of
+ * the pairs of names. */
 static long count_of(const struct statistics *it, enum reason reason) {
     long count = atomic_load(&it->fallback[reason]);
     for (int i = 0; reason == REASON_OVERLAP && i < REDCC_TEXTS; i++)
@@ -61,8 +61,8 @@ static long count_of(const struct statistics *it, enum reason reason) {
     return count;
 }
 
-/* The most frequent reason for sequential calls. Sets *sequential to the total number of sequential
- * calls. If that is 0, the reason has no meaning. */
+/* The most frequent reason for sequential calls. Sets *sequential to the number of all sequential
+ * calls; if that is 0, the returned reason has no meaning. */
 static enum reason commonest(const struct statistics *it, long *sequential) {
     enum reason most = REASON_NONE;
     long greatest = 0;
@@ -78,8 +78,8 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* The number of executions of this duration after which auto's budget covers a sample and a plan
- * construction that takes half an execution. */
+/* The number of executions, each of `seconds` seconds, after which auto's budget covers a sample
+ * and a plan construction that takes half an execution. */
 static long repaid_after(double seconds) {
     const double look = LEARN_SAMPLE < LEARN_CLEAR * seconds ? LEARN_SAMPLE / seconds : LEARN_CLEAR;
     return (long)((look + 0.5) / LEARN_SHARE);

@@ -7,8 +7,8 @@
 
 enum { REDCC_WHY = 256 };
 
-/** Writes the sentence for the most frequent reason of the loop's sequential calls. The text is
- * empty if most calls ran in parallel, or if there were no calls. */
+/** Writes a sentence about the most frequent reason of the loop's sequential calls to `text`. The
+ * text is empty if most calls ran in parallel, or if there were no calls. */
 void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]);
 
 #endif

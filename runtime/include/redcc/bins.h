@@ -1,23 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * In-order binning, for generated code: the loop is executed without an inspection. Its body does
- * not write the reduction arrays. It appends a record of each update to the bin of its row
- * (redcc_push). The runtime applies the records later, bin by bin, in the order of the loop.
+ * not write the reduction arrays. It appends a record of each update to a bin (redcc_push). A bin
+ * has the updates of neighbouring rows. The runtime applies the records later, bin by bin, in the
+ * order of the loop.
  *
- *     redcc_enter, redcc_join, redcc_inspect       as in runtime.h
- *     redcc_bins_next  each thread  hands out iterations whose updates must be pushed
- *       redcc_push                  replaces an update; or redcc_update, if updates are made on
- *                                   private copies (REDCC_ARE_COPIED)
- *       redcc_read                  records reads whose address range is not in `known`
- *     redcc_next, redcc_leave       as in runtime.h; redcc_next hands out, in its plain form, the
- *                                   iterations that could not be binned
+ *     redcc_enter, redcc_join, redcc_inspect     as in runtime.h
+ *     redcc_bins_next   each thread   hands out iterations whose updates must be pushed
+ *       redcc_push                    replaces an update; or redcc_update, if updates are made on
+ *                                     private copies (REDCC_ARE_COPIED)
+ *       redcc_read                    records reads whose address range is not in `known`
+ *     redcc_next, redcc_leave         as in runtime.h; redcc_next hands out, in its plain form, the
+ *                                     iterations that could not be binned
  *
- * Iterations may be pushed more than once: the records of the earlier attempt are discarded. So a
- * loop has this form only if executing its body twice leaves the same state as executing it once.
- * The body must also be able to run before its reads are compared with its writes. For this, its
- * addresses, divisors and bounds of inner loops must come from memory that is proved disjoint from
- * the reduction arrays. Its other reads are in the loop's sources. A loop with any other body is
- * marked REDCC_BINS_CHECKED.
+ * An iteration may be pushed more than once; the records of its earlier attempts are then
+ * discarded. So a loop has this form only if executing its body twice leaves the same state as
+ * executing it once. The runtime also executes the body before it compares the addresses that the
+ * loop reads with those that it updates. So the body's addresses, divisors and bounds of inner
+ * loops must come from memory that is proved disjoint from the reduction arrays. All other memory
+ * that the body reads must be in the loop's sources. A loop whose body is different is marked
+ * REDCC_BINS_CHECKED.
  *
  * Like runtime.h, this header includes no system header and compiles as C89 with GNU extensions.
  */
@@ -27,7 +29,7 @@
 #include <redcc/runtime.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
+#ifdef REDCC_HIDDEN /* static library: programs linked with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the shared library hides all other names */
@@ -35,11 +37,13 @@
 #endif
 
 /**
- * Hands out the next iterations to push. REDCC_TO_PUSH: worker->first, worker->last and bins
- * [stream_count] are set. REDCC_TO_EXECUTE: call redcc_next until it returns 0, then this function
- * again. 0: all iterations are pushed; continue with redcc_next. Called after redcc_inspect by
- * every thread of the region. `operands` has values that the apply functions need. It is the same
- * for all threads, and must stay unchanged until the function has returned 0 to all threads.
+ * Hands out the next iterations to push. Called after redcc_inspect by every thread of the region.
+ * Returns
+ * - REDCC_TO_PUSH: worker->first, worker->last and bins[stream_count] are set;
+ * - REDCC_TO_EXECUTE: call redcc_next until it returns 0, then this function again;
+ * - 0: no iterations are left to push; continue with redcc_next.
+ * `operands` points to values that the apply functions need. It is the same for all threads, and
+ * the values must not change until the function has returned 0 to all threads.
  */
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands);
 
@@ -57,15 +61,16 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 /* ---- used by generated text -------------------------------------------------------------------
  */
 
-/** Values of redcc__checked other than 0 and 1: updates are pushed, or made on private copies. */
+/** Values of redcc__checked besides 0 (plain) and 1 (owner-checked): updates are pushed to bins, or
+ * made on private copies. */
 enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 
 /** An element's number, counted from the array's first one. */
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** Does the thread have a private copy of this row? If not, records the row, so that the next
- * attempt copies it. */
+/** Does the thread have a private copy of this row? If not, returns 0 and records the row, so that
+ * the copy made for the next attempt contains it. */
 REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
         return 1;
@@ -106,9 +111,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     return it;
 }
 
-/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. In bins it pushes a record to
- * stream `redcc_s`, with the operands of this update and of the following updates that share the
- * record (REDCC_UPDATE_WITH). */
+/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. If updates are binned, it pushes a
+ * record to stream `redcc_s` instead. The record has the operands of this update and of the
+ * following updates that are written with REDCC_UPDATE_WITH. */
 #define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
                         redcc_values)                                                              \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -122,7 +127,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
     else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/** As REDCC_UPDATE_BY, for an update that shares an earlier record: nothing is recorded. */
+/** As REDCC_UPDATE_BY, for an update whose operands are in the record of an earlier
+ * REDCC_UPDATE_BY: nothing is pushed. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
@@ -131,10 +137,11 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
          : !redcc__checked || redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
-/** The number of an element behind a pointer, counted from address 0. redcc_pointer: the address of
- * the pointer, or 0. In bins that address may be unverified. If it cannot be read, or the element
- * is misaligned, the result is REDCC_NO_ROW. That ends the round, the iterations whose records are
- * collected before they are applied. */
+/** The number of an element that is reached through a pointer, counted from address 0.
+ * `redcc_pointer` is the address from which that pointer is loaded, or 0. While updates are binned,
+ * that address may be unverified. If it cannot be read, or the element is misaligned, the result is
+ * REDCC_NO_ROW. This ends the round: the iterations whose records are collected before any of them
+ * is applied. */
 #define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
     ((redcc_size)(redcc_pointer) == 0 ||                                                           \
              redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))                    \
@@ -155,8 +162,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
     if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
-/* Pushes a record of consecutive elements: the first element's address, the number of elements, and
- * the values that redcc_set sets. redcc_first_row is the first element's row. */
+/* Pushes a record of consecutive elements. The record has the first element's address, the number
+ * of elements, and the values that the expression `redcc_set` assigns. `redcc_first_row` is the
+ * first element's row. */
 #define REDCC_PUSH_SPAN_OF(redcc_i, redcc_s, redcc_at, redcc_first_row, redcc_record, redcc_set)   \
     {                                                                                              \
         redcc_record redcc__e;                                                                     \
@@ -168,8 +176,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
             &redcc__e);                                                                            \
     }
 
-/** Replaces an inner loop over redcc_number consecutive elements of an array: pushes one record for
- * all of them. */
+/** Replaces an inner loop that updates `redcc_number` consecutive elements of an array: pushes one
+ * record for all of them. */
 #define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_base, redcc_at, redcc_number, redcc_record,        \
                         redcc_set)                                                                 \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -180,7 +188,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                                redcc_record, redcc_set)                                            \
     }
 
-/** As REDCC_PUSH_SPAN, for elements behind a pointer that may be unverified. */
+/** As REDCC_PUSH_SPAN, for elements reached through a pointer; `redcc_pointer` as for
+ * REDCC_ELEMENT_BEHIND. */
 #define REDCC_PUSH_SPAN_BEHIND(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number,            \
                                redcc_record, redcc_set)                                            \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -223,9 +232,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
-/** Precedes a loop with a constant number of iterations that update parts of one row: pushes one
- * record of all values that they add (_BY), or of the row alone (_ALIKE). The updates inside the
- * loop are REDCC_UPDATE_ROW_WITH. */
+/** Precedes an inner loop with a constant number of iterations that update parts of one row. Pushes
+ * one record, with all values that these iterations add (_BY), or with the row alone (_ALIKE). The
+ * updates inside the inner loop are REDCC_UPDATE_ROW_WITH. */
 #define REDCC_APPEND_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -288,19 +297,19 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 REDCC_RECORDS(double);
 REDCC_RECORDS(float);
 
-/** Precedes a REDCC_APPLY whose records update floats several times. gcc 12 packs neighbouring
- * updates (SLP) and omits the roundings to float between them. An example, with floats x and y and
- * double operands: `x += d; x += e; y -= f; y += g;`. */
+/** Precedes a REDCC_APPLY whose updates may combine several values of a record in floats. gcc 12
+ * vectorises neighbouring updates (SLP) and then omits the roundings to float between them. An
+ * example, with floats x and y and double operands: `x += d; x += e; y -= f; y += g;`. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define REDCC_ROUNDED __attribute__((__optimize__("no-tree-slp-vectorize")))
 #else
 #define REDCC_ROUNDED
 #endif
 
-/** Defines a function that applies records. redcc_updates is the text for one record: it updates
- * the element *redcc__to with the record redcc__e. redcc__tag is the number of the update in the
- * loop's body. For a stream of several arrays the text begins with a REDCC_APPLY_ALSO for each
- * array except the first. */
+/** Defines a function that applies records. `redcc_updates` is the text for one record: it updates
+ * the element *redcc__to with the values in redcc__e. redcc__tag is the number, in the loop's body,
+ * of the update that pushed the record. If the stream has several arrays, the text begins with a
+ * REDCC_APPLY_ALSO for each array except the first. */
 #define REDCC_APPLY(redcc_name, redcc_element, redcc_record, redcc_bits, redcc_updates)            \
     REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
     const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];       \
@@ -344,10 +353,11 @@ REDCC_RECORDS(float);
             : 0;
 
 /** Begins a function that applies records of spans. Each record is applied to those elements of its
- * span that are in the bin. The function's body has, in this order: declarations of the names that
- * the text uses; REDCC_EACH_SPAN; declarations of the record's values; a loop by the program's
- * counter over [redcc__from, redcc__end), which updates *redcc__to; REDCC_SPANS_END. The update
- * reads no other element that the round updates. */
+ * span that are in the bin. The function's body has, in this order:
+ * - declarations of the names that the text uses; REDCC_EACH_SPAN;
+ * - declarations of the record's values; a loop by the program's counter over [redcc__from,
+ *   redcc__end), which updates *redcc__to and reads no other element that the round updates;
+ * - REDCC_SPANS_END. */
 #define REDCC_APPLY_SPANS(redcc_name, redcc_context)                                               \
     REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \
         REDCC_UNFUSED_BLOCK                                                                        \
@@ -381,7 +391,8 @@ REDCC_RECORDS(float);
                      redcc_exact)                                                                  \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, redcc_bits, redcc_exact }
 
-/* Parameters of the body for bins: the streams, and the bins of each array's stream. */
+/* Parameters of the body when updates are binned: all streams, and for each array the bins of its
+ * stream. */
 #define REDCC_BINS_PARAMETERS_1                                                                    \
     const redcc_stream *const redcc__streams, const redcc_bins *const redcc__bins_0
 #define REDCC_BINS_PARAMETERS_2 REDCC_BINS_PARAMETERS_1, const redcc_bins *const redcc__bins_1
@@ -408,8 +419,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINNED_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_5, REDCC_BINS_ARGUMENTS_5
 #define REDCC_BINNED_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_6, REDCC_BINS_ARGUMENTS_6
 
-/* For each array of a chunk that is pushed: declares a copy of its bins, and the array's base.
- * Other chunks use REDCC_NO_BINS_OF. */
+/* For each array of a chunk whose updates are pushed or made on copies: declares a copy of the bins
+ * of its stream, and the array's base. Other chunks use REDCC_NO_BINS_OF. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
     const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
@@ -430,8 +441,8 @@ REDCC_RECORDS(float);
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
 /** Executes iterations whose updates are pushed, or made on copies. The bits of redcc_first_mask
- * are the sources whose reads the first iteration records; redcc_later_mask is for later
- * iterations. */
+ * select the sources whose reads the first iteration records; those of redcc_later_mask, the
+ * sources whose reads the later iterations record. */
 #define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_first_mask, redcc_later_mask,             \
                          redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
@@ -456,17 +467,17 @@ REDCC_RECORDS(float);
     REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,          \
                      redcc_first_mask, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,  \
                      redcc_call_of_body)
-/** As REDCC_PARALLEL_BINNED, with a separate slice for the reads that are recorded while iterations
- * are pushed. redcc_later_mask has only the sources whose rows differ from iteration to iteration,
- * because later iterations of a chunk need not record the others again. */
+/** As REDCC_PARALLEL_BINNED, but a separate slice (redcc_call_of_reads) records the reads of
+ * iterations that are pushed. redcc_later_mask selects only the sources whose rows differ from
+ * iteration to iteration: a chunk's first iteration has recorded the others. */
 #define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,    \
                                     redcc_later_mask, redcc_all_exact, redcc_call_of_reads,        \
                                     redcc_call_of_slice, redcc_call_of_body)                       \
     REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
                      redcc_first_mask, redcc_later_mask, redcc_all_exact, redcc_call_of_reads,     \
                      redcc_call_of_slice, redcc_call_of_body)
-/** As REDCC_PARALLEL_BINNED, for loops whose iterations may be handed out a second time
- * (redcc/series.h). */
+/** As REDCC_PARALLEL_BINNED, for a loop with series. If redcc_again is true at the end, all
+ * iterations are executed a second time (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,   \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops whose OpenMP directive reduces scalars. They are executed in blocks whose number depends
- * only on the trip count, so that sums are the same at every number of threads. This needs no
- * runtime; if one is linked, REDCC_ORDER=serial makes all iterations one block, which begins with
- * the variables' own values.
+ * only on the trip count, so that sums have the same bits at every number of threads. This needs no
+ * runtime. If a runtime is linked, REDCC_ORDER=serial makes all iterations one block, which begins
+ * with the variables' own values and so gives the bits of the sequential loop.
  */
 #ifndef REDCC_BLOCKS_H
 #define REDCC_BLOCKS_H
 
-/** The number of iterations of a loop from `redcc_low` to before (_TO: up to) `redcc_high`, in
- * steps of `redcc_step` > 0. Both ends have the counter's type. */
+/** The number of iterations of a loop from `redcc_low` to before `redcc_high` (REDCC_TRIP) or up to
+ * it (REDCC_TRIP_TO), in steps of `redcc_step` > 0. `redcc_low` and `redcc_high` have the counter's
+ * type. */
 #define REDCC_TRIP(redcc_low, redcc_high, redcc_step)                                              \
     ((redcc_low) < (redcc_high)                                                                    \
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)-1) / (redcc_step)) + 1  \
@@ -19,9 +20,9 @@
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)) / (redcc_step)) + 1    \
          : 0)
 
-/** The number of blocks. _LONG is for long iterations. For short iterations, the number is
- * redcc_max or a smaller power of two, so that 2, 4 or 8 threads get equal shares. If there are
- * several blocks, each has at least 64 iterations. */
+/** The number of blocks, at most redcc_max. REDCC_BLOCKS_LONG is for loops of long iterations.
+ * REDCC_BLOCKS_SHORT is redcc_max or a smaller power of two: several blocks have at least 64
+ * iterations each. With a power of two, 2, 4 or 8 threads get equal shares. */
 #define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
     ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
 #define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)
@@ -34,8 +35,8 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
     return least < 2 ? 1 : (redcc_int)1 << (63 - __builtin_clzll(least));
 }
 
-/** The number of parts into which the inner loop of a nest is divided, if the outer loop has
- * redcc_rows parts. */
+/** The number of parts into which the inner loop of a nest is divided if the outer loop is divided
+ * into redcc_rows parts. _SHORT and _LONG as for REDCC_BLOCKS_SHORT and _LONG. */
 #define REDCC_COLUMNS_SHORT(redcc_rows, redcc_trip, redcc_max)                                     \
     ((redcc_rows) < 1 || (redcc_trip) < 1                                                          \
          ? 0                                                                                       \
@@ -45,8 +46,8 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
          ? 0                                                                                       \
          : REDCC_BLOCKS_LONG(redcc_trip, (redcc_max) / (redcc_rows)))
 
-/** The loop, or each loop of a nest, is divided into redcc_parts parts. This is the counter's value
- * in the first iteration of part redcc_number, less redcc_back steps. */
+/** The counter's value in the first iteration of part redcc_number, if the loop is divided into
+ * redcc_parts parts; minus redcc_back steps. */
 #define REDCC_PART_BEGIN(redcc_low, redcc_trip, redcc_parts, redcc_number, redcc_step, redcc_back) \
     ((redcc_word)(redcc_low) +                                                                     \
      (redcc_word)(redcc_block_begin(redcc_trip, redcc_parts, redcc_number) - (redcc_back)) *       \
@@ -57,7 +58,8 @@ REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc
 }
 
 /** Adds the number of blocks that the calling thread has executed to the team's count. True for the
- * one thread that completes the count; it also resets the count for the loop's next execution. */
+ * one thread that completes the count; that thread also resets the count for the loop's next
+ * execution. */
 #define REDCC_IS_LAST(redcc_ended, redcc_mine, redcc_blocks)                                       \
     ((redcc_mine) > 0 &&                                                                           \
      __atomic_add_fetch(redcc_ended, redcc_mine, __ATOMIC_ACQ_REL) == (redcc_blocks) &&            \

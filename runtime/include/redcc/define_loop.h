@@ -58,8 +58,8 @@
 #define REDCC_NAMED 0u
 #endif
 
-/* The counter's value in iteration k. Compilers may assume that the conversion preserves the value,
- * so that they can increment addresses. */
+/* The counter's value in iteration k. The unreachable branch tells compilers that the conversion to
+ * the counter's type preserves the value, so that they can increment addresses. */
 REDCC_INLINE REDCC_COUNTER REDCC_THIS(_counter)(redcc_int first, redcc_int k,
                                                 const REDCC_CONTEXT *loop) {
     const redcc_int value = first + k * (redcc_int)(REDCC_STEP);
@@ -111,8 +111,8 @@ static redcc_site REDCC_THIS(_site) = {
 #endif
     0};
 
-/* Reports to the runtime what iterations touch. While consecutive iterations stay in the current
- * owner's range, they are only compared with known ranges, in a loop without calls. */
+/* Reports to the runtime what iterations touch. While redcc_is_settled returns 1, iterations are
+ * only compared with known ranges, in a loop without calls. */
 static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *attempt,
                                  const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -144,9 +144,9 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
 }
 
 #ifdef REDCC_STREAMS
-/* Executes iterations whose updates are pushed to bins, or made on the thread's private copies.
- * Returns 1 if the caller must execute the chunks that redcc_next hands out, and then call this
- * function again. */
+/* Executes iterations whose updates are pushed to bins, or made on the thread's private copies. 1:
+ * the caller must execute the chunks that redcc_next hands out, and then call this function again.
+ * 0: no such iterations are left. */
 static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
                              const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -212,8 +212,9 @@ static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attem
     redcc_store_classes(worker, classes);
 }
 
-/* Executes runs of iterations. The thread owns all rows of a plain iteration, and some rows of an
- * owner-checked one. */
+/* Executes the chunks that redcc_next hands out. A chunk consists of runs of consecutive
+ * iterations. The thread owns all rows of a plain run; in the iterations of an owner-checked run it
+ * owns some rows. */
 static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -225,7 +226,7 @@ static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attem
         const redcc_iterations *const run_end = worker->run_end;
         redcc_body owned;
 #ifndef REDCC_ONE_BODY
-        redcc_body plain; /* separate, so that its address does not escape */
+        redcc_body plain; /* separate from `owned`, so that its address does not escape */
         plain.mode = REDCC_PLAIN;
 #endif
         unsigned a;
@@ -284,7 +285,7 @@ static void REDCC_THIS(_member)(redcc_worker *worker, const redcc_attempt *attem
 #endif
 }
 
-/* Is there an iteration and, if iterations are short, are there enough of them in this call? */
+/* Has this call an iteration and, if iterations are short, enough of them to call the runtime? */
 REDCC_INLINE int REDCC_THIS(_is_worth)(redcc_int trip) {
     const redcc_calls *const calls = __atomic_load_n(&REDCC_THIS(_site).calls, __ATOMIC_ACQUIRE);
     return trip > 0 && (!((REDCC_FLAGS)&REDCC_LIGHT) || !calls ||

@@ -28,34 +28,34 @@ typedef struct redcc_attempt {
      * loop. */
     redcc_u32 operand_count;
     const redcc_size *operand_bytes; /* [operand_count] the size of one operand */
-    void **operands; /* [operand_count], set by the runtime before any thread begins; if the loop is
-                      * done, the caller frees them (series->release) */
+    void **operands; /* [operand_count], set by the runtime before any thread begins; if redcc_run
+                        returned 1, the caller frees them (series->release) */
     redcc_u32 series_count;
     redcc_series **series; /* [series_count] variable numbers of operands per iteration
-                              (redcc/series.h); set and freed as `operands` are */
+                              (redcc/series.h); set and freed in the same way as `operands` */
     int threads; /* REDCC_TEAM: the number of threads that the program requests; 0: no request */
-    const redcc_extent *sections; /* [array_count] REDCC_SECTIONED: the section that OpenMP's clause
-                                     names; else 0 */
+    const redcc_extent *sections; /* [array_count] for REDCC_SECTIONED: each array's section in
+                                     OpenMP's clause `reduction`; else 0 */
 } redcc_attempt;
 
-/** The function that each thread calls. It inspects and executes the chunks that the runtime hands
- * out to the thread. */
+/** The function that each thread calls. It inspects, and later executes, the chunks of iterations
+ * that the runtime hands out to the thread. */
 typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, const void *context);
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 /** Executes a loop. 1: the loop is done. 0: nothing was written, and the sequential loop must run.
- * `version` is the caller's REDCC_INTERFACE. If attempt is 0, only sets site->calls. Thread-safe.
- */
+ * `version` is the caller's REDCC_INTERFACE. If `attempt` is 0, it executes nothing and only sets
+ * site->calls. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
 #ifdef __cplusplus
 }
 #endif
 
-/** A scratch row of contributions, which redcc_rows_end applies to the row of the array. Used with
- * bins, locks and compensated sums. */
+/** A scratch row, into which the body writes its contributions to a row of an array; redcc_rows_end
+ * applies them. Used with bins, locks and compensated sums. */
 typedef struct redcc_kept_row {
     redcc_u32 array;
     redcc_u32 bytes;

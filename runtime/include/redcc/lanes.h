@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Executes four iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md).
- * One operation computes the values of all four lanes. Updates are made lane by lane, in the
+ * One operation computes a value in all four lanes. Updates are made lane by lane, in the
  * sequential order of the iterations.
  *
  * Generated text includes this file after runtime.h and after the pragmas that forbid contraction.
- * On x86-64 the vector functions are compiled for AVX2, independently of the program's options; the
- * runtime checks that the processor has AVX2. On 64-bit ARM there are two lanes. On other
- * processors iterations are executed one by one.
+ * On x86-64 the vector functions are compiled for AVX2 even if the program is not; the runtime
+ * checks that the processor has AVX2. On 64-bit ARM there are two lanes. On other processors
+ * iterations are executed one by one.
  */
 #ifndef REDCC_LANES_H
 #define REDCC_LANES_H
@@ -16,8 +16,8 @@
 #pragma GCC system_header
 
 /** The number of iterations executed at once. 0: iterations are executed one by one, because
- * operations may be contracted or the compiler lacks the vector extensions of gcc and clang. gcc
- * before 9 has no __builtin_convertvector. */
+ * compilers may round operations differently (REDCC_ROUNDS_ALIKE) or the processor or compiler has
+ * no suitable vectors. gcc before 9 has no __builtin_convertvector. */
 #ifdef REDCC_IS_CHECKED
 #define REDCC_WIDTH 4 /* for redcc's check of its own output */
 #elif !REDCC_ROUNDS_ALIKE || (!defined(__clang__) && __GNUC__ < 9)
@@ -38,8 +38,8 @@
 #endif
 
 #if REDCC_WIDTH
-/* Vectors are passed only between inlined functions, so a change of their ABI between compiler
- * versions has no effect. */
+/* The ABI of vector arguments differs between compiler versions. That has no effect here, because
+ * vectors are passed only between inlined functions. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 /** The attribute that selects the instruction set of vector functions. */
@@ -54,8 +54,9 @@
 
 /* ---- lanes ---------------------------------------------------------------------------------- */
 
-/* Evaluates an expression of redcc__l for each lane, as a list of initialisers. With a loop over
- * the lanes, compilers would store the values to memory and load them again. */
+/* Evaluates an expression for each lane (redcc__l is the lane's number) and makes a list of
+ * initialisers of the values. If a loop over the lanes stored them instead, compilers would store
+ * them to memory and load them again. */
 #define REDCC_LANE(redcc_i, ...)                                                                   \
     __extension__({                                                                                \
         enum { redcc__l = redcc_i };                                                               \
@@ -79,7 +80,8 @@
 #define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < REDCC_WIDTH; redcc__l++)
 #define REDCC_EACH_ITERATION for (redcc__l = 0; redcc__l < redcc__block->count; redcc__l++)
 
-/** A vector of doubles; a vector of as many floats; a mask for each of these. */
+/** redcc_vector: doubles, one for each lane. redcc_floats: as many floats. redcc_mask and
+ * redcc_float_mask: masks for these, with -1 or 0 in each lane. */
 typedef double redcc_vector __attribute__((__vector_size__(8 * REDCC_WIDTH)));
 typedef float redcc_floats __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * REDCC_WIDTH)));
@@ -92,16 +94,18 @@ typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 /** A mask of the lanes in which the value is not 0. */
 #define REDCC_MASK(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
 
-/** Values of another type for each lane, as an array. */
+/** Evaluates an expression of type redcc_type for each lane, and makes an array of the values. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
     (__extension__(__typeof__(redcc_type)[REDCC_WIDTH]){REDCC_ALL(__VA_ARGS__)})
 
-/** Conversions of each lane as in C; and the conversion of a mask for floats to one for doubles. */
+/** redcc_doubles_of, redcc_floats_of: convert each lane as C does. redcc_mask_of_floats: converts a
+ * redcc_float_mask to a redcc_mask. */
 #define redcc_doubles_of(...) __builtin_convertvector((__VA_ARGS__), redcc_vector)
 #define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 
-/** Broadcasts a double or a float. An addition of 0 would change -0.0. */
+/** Returns a vector that has the value in each lane. (Adding the value to a vector of zeros would
+ * change -0.0.) */
 REDCC_VECTOR_INLINE redcc_vector redcc_same(double value) {
     return (__extension__(redcc_vector){REDCC_ALL(value)});
 }
@@ -119,9 +123,9 @@ REDCC_VECTOR_INLINE redcc_floats redcc_select_floats(redcc_mask lanes, redcc_flo
     return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));
 }
 
-/* Vector square roots in assembly. Compilers call the library's function for each root instead of
- * using these instructions, because that function may have to set errno. The second operand order
- * in the text is for -masm=intel. */
+/* Vector square roots in assembly. For __builtin_sqrt of each lane, compilers would call the
+ * library's function, because it may have to set errno. In the assembly text, the operand order
+ * after `|` is for -masm=intel. */
 #if defined(__x86_64__) && !defined(REDCC_IS_CHECKED)
 #define REDCC_ROOTS(redcc_root, redcc_v)                                                           \
     __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(redcc_root) : "x"(redcc_v))
@@ -155,8 +159,8 @@ REDCC_VECTOR_INLINE redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     REDCC_ROOTS(root, value);
     return root;
 }
-/** Absolute values. fabs never sets errno, so that compilers compute all lanes with one
- * instruction. */
+/** Absolute values. fabs never sets errno, so compilers need no calls and compute all lanes with
+ * one instruction. */
 REDCC_VECTOR_INLINE redcc_vector redcc_lanes_fabs(redcc_vector value) {
     return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});
 }
@@ -167,9 +171,9 @@ REDCC_VECTOR_INLINE redcc_floats redcc_lanes_fabsf(redcc_floats value) {
     return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});
 }
 
-/** Tests at run time that vector functions round a product before an addition, and that constants
- * are doubles. No macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
- * -fsingle-precision-constant. */
+/** Tests at run time that vector functions round a product before an addition, and that floating
+ * constants are doubles. No macro reveals the options -ffp-contract=fast, which overrides clang's
+ * pragmas, and -fsingle-precision-constant. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_round_alike(void) {
     const volatile double factor = 134217729.0, less = 18014398777917440.0;
     const volatile double square = factor * factor, rest = square - less;
@@ -181,16 +185,17 @@ static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_ro
 
 /* ---- the executor ---------------------------------------------------------------------------- */
 
-/** Iterations that are executed at once, and whether their updates must check the owner. A partial
- * block is padded with copies of its last iteration, which are computed but update nothing. */
+/** Iterations that are executed at once, and for each whether its updates must check the owner. If
+ * fewer than REDCC_WIDTH are left, `count` is the number of those; the other lanes compute the last
+ * iteration again, but update nothing. */
 typedef struct redcc_block {
     redcc_int k[REDCC_WIDTH];
     int checked[REDCC_WIDTH];
     int count;
 } redcc_block;
 
-/** Fills the block with the next iterations of the runs, in order. Returns the number of
- * iterations. */
+/** Fills the block with the next iterations of the runs, in order. Returns the number of these
+ * iterations, 0 if none is left. */
 REDCC_INLINE int redcc_block_fill(redcc_block *block, redcc_ahead *from) {
     int count = 0, l;
     for (; count < REDCC_WIDTH && redcc_ahead_step(from); count++) {
@@ -203,8 +208,9 @@ REDCC_INLINE int redcc_block_fill(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** Slice and body for one iteration, each compiled once. This body executes all iterations,
- * owner-checked or not, if the processor lacks AVX2 or REDCC_LANES=off is set. */
+/** Slice and body for one iteration, each compiled once, as a separate function. The scalar body
+ * executes all iterations, owner-checked or not, if the processor lacks AVX2 or REDCC_LANES=off is
+ * set. */
 #define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE
 #define REDCC_LANES_BY_CALLS REDCC_BY_CALLS
 #define REDCC_SCALAR_BODY static __attribute__((__noinline__, __unused__)) void

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Macros around a loop's slice and body in the short form of generated code. Slice and body are one
- * function each; docs/generated-code.md shows a loop.
+ * Macros with which redcc's output expresses a loop. The slice, which computes the addresses that
+ * an iteration touches, and the body are one function each; docs/generated-code.md shows a loop.
  *
  *     REDCC_SLICE f(REDCC_SLICE_PARAMETERS, ...)     records what one iteration touches:
  *       REDCC_TOUCH, REDCC_READ                        a row by its address,
@@ -17,9 +17,10 @@
 
 #include <redcc/entry.h>
 
-/** Forbids contracting a multiplication and an addition into one rounding, in the function that
- *  follows and from the beginning of a block on. gcc contracts within functions, after inlining.
- *  clang contracts within expressions; no pragma overrides its option -ffp-contract=fast. */
+/** Forbid that the compiler contracts a multiplication and an addition to a fused multiply-add.
+ * REDCC_UNFUSED precedes a function, because gcc contracts within functions, after inlining.
+ * REDCC_UNFUSED_BLOCK begins a block, because clang contracts within expressions; no pragma
+ * overrides clang's option -ffp-contract=fast. */
 #if defined(__clang__)
 #define REDCC_UNFUSED
 #define REDCC_UNFUSED_BLOCK _Pragma("clang fp contract(off)")
@@ -31,8 +32,9 @@
 #define REDCC_UNFUSED_BLOCK
 #endif
 
-/* gcc takes 2 ^ 5 in generated text for a mistaken power, but not in the expansion of a macro. gcc
- * also warns about more uninitialised variables the more code it inlines. */
+/* gcc 13 and later warn that 2 ^ 5 in generated text may be meant as a power; in the expansion of a
+ * macro they do not. The more code gcc inlines, the more it also warns about uninitialised
+ * variables. */
 #if defined __GNUC__ && !defined __clang__ && __GNUC__ >= 13
 #define REDCC_QUIET_GCC                                                                            \
     _Pragma("GCC diagnostic ignored \"-Wmaybe-uninitialized\"")                                    \
@@ -57,15 +59,15 @@
                                         REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
-/** Hides from the compiler whether the context is set. Otherwise it would warn of an uninitialised
- * variable if the loop sets none of the members. */
+/** Hides from the compiler that the context may be uninitialised. Otherwise it would warn if the
+ * loop sets none of the context's members. */
 REDCC_INLINE int redcc_hide_context(void *context) {
     __asm__ __volatile__("" : : "r"(context) : "memory");
     return 1;
 }
 
-/** Declares what describes one execution (bases, address ranges of sources, key), and the loop's
- * context. */
+/** Declares the variables that describe one execution (bases, address ranges of sources, key), and
+ * the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
     redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                        \
@@ -74,26 +76,29 @@ REDCC_INLINE int redcc_hide_context(void *context) {
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__)) = redcc_hide_context(&redcc__context)
 
-/** Declares, in the context, the arithmetic progressions of prefetched rows. REDCC_NO_PROGRESSIONS
- * clears them. */
+/** REDCC_PROGRESSIONS_OF declares, as a member of the context, the arithmetic progressions of rows
+ * to prefetch. REDCC_NO_PROGRESSIONS clears them. */
 #define REDCC_PROGRESSIONS_OF(redcc_sources)                                                       \
     redcc_progression redcc__progressions[(redcc_sources) + 1]
 #define REDCC_NO_PROGRESSIONS                                                                      \
     __builtin_memset(redcc__context.redcc__progressions, 0,                                        \
                      sizeof redcc__context.redcc__progressions)
 
-/** Set the address of an array's first element, and a value on which the subscripts depend. */
+/** REDCC_BASE sets the address of an array's first element. REDCC_KEY sets a value on which the
+ * subscripts depend. */
 #define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
 #define REDCC_KEY(redcc_i, redcc_value) redcc__key[redcc_i] = (redcc_word)redcc_value
 
-/** The trip count of a loop from redcc_lower to before redcc_bound in steps of 1. */
+/** Declares the trip count (redcc__trip) of a loop from redcc_lower to before redcc_bound in steps
+ * of 1, and the counter's value after the loop (redcc__final). */
 #define REDCC_COUNT_UP(redcc_lower, redcc_bound)                                                   \
     const redcc_int redcc__lower = redcc_lower, redcc__bound = redcc_bound,                        \
                     redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
 
-/** Executes a statement twice: for the rows that the first iteration reads, and for those that the
- * last reads. REDCC_FIRST_OR_LAST is the counter of the iteration at hand. */
+/** REDCC_FIRST_AND_LAST executes a statement twice: once for the rows that the first iteration
+ * reads, and once for those that the last iteration reads. In that statement REDCC_FIRST_OR_LAST is
+ * the counter's value in the respective iteration. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
 #define REDCC_FIRST_OR_LAST(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
@@ -107,7 +112,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
             redcc_progression_row(&redcc__context.redcc__progressions[redcc_i], redcc__row,        \
                                   sizeof(redcc_row), redcc__end, redcc__trip);                     \
     } while (0)
-/* A function, not a macro, because speed does not matter before the loop. */
+/* Not inlined, because its speed does not matter before the loop. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
@@ -115,7 +120,8 @@ redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (row + bytes > extent->end)
         extent->end = row + bytes;
 }
-/** As redcc_known_row, for the element base[k + by] of `bytes` bytes. Sets *lost on overflow. */
+/** Extends *extent, as redcc_known_row does, to the element base[k + by] of `bytes` bytes. Sets
+ * *lost on overflow. */
 REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, redcc_int k,
                                       redcc_int by, redcc_int bytes, int *lost) {
     const redcc_int into = redcc_exact_product(redcc_exact_sum(k, by, lost), bytes, lost);
@@ -127,10 +133,10 @@ REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, re
 
 #include <redcc/prefetch.h>
 
-/** Reserves rbp for the function's frame pointer. Values that are live across redcc_run occupy
- * callee-saved registers, so the bases of the sequential loop in the same function might get rbp.
- * Loads by rbp and an index were slower than by other registers: this cost 6 % of the time of a
- * product with a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
+/** Occupies rbp with the function's frame pointer. Values that are live across redcc_run are in
+ * callee-saved registers, so otherwise a base of the sequential loop in the same function might be
+ * in rbp. Loads from rbp plus an index were slower than from other registers: this cost 6 % of the
+ * time of a product with a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
 #if defined(__x86_64__)
 #define REDCC_KEEP_FRAME redcc_keep_frame(__builtin_frame_address(0))
 #else
@@ -140,13 +146,14 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** The table that redcc_run has set; 0: not set yet. Another thread may set it at the same time. */
+/** The table of the runtime's functions, or 0 if redcc_run has not set it yet. Another thread may
+ * be setting it at the same time. */
 REDCC_INLINE const redcc_calls *redcc_calls_of(const redcc_site *site) {
     return __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
 }
 
-/** Is the trip count positive and, for _LIGHT (short iterations), large enough? The answer is no if
- * no runtime is linked. */
+/** Is the trip count positive and, for _LIGHT (short iterations), at least *calls->least_trip, if
+ * that is known? 0 if no runtime is linked. */
 #define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
 #define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
     (redcc_run && redcc_is_worth(&(redcc_site), redcc_trip))
@@ -176,8 +183,9 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     }
 }
 
-/** May the loop be executed without its OpenMP directives? If the directives protect the loop's
- * updates (redcc_locks), only while no other thread of the process runs. */
+/** May the loop be executed without its OpenMP directives? If they protect the loop's updates
+ * (redcc_locks), it may only if no other thread of the process runs the program's code. 0 if no
+ * runtime is linked. */
 #define REDCC_REPLACES(redcc_site, redcc_locks)                                                    \
     (redcc_run && (!(redcc_locks) ||                                                               \
                    (redcc_is_known(&(redcc_site)) &&                                               \
@@ -197,8 +205,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
                                      redcc_member, &redcc__context),                               \
                            0))
 
-/** For REDCC_SECTIONED: declares the sections, and sets the section of array redcc_i. It has
- * redcc_length elements of redcc_array, the first of which is element redcc_lower. */
+/** For REDCC_SECTIONED. REDCC_SECTIONS declares the sections of all arrays. REDCC_SECTION sets that
+ * of array number redcc_i: the redcc_length elements of redcc_array from element redcc_lower on. */
 #define REDCC_SECTIONS(redcc_arrays)                                                               \
     redcc_extent redcc__sections[redcc_arrays];                                                    \
     redcc__attempt.sections = redcc__sections
@@ -212,8 +220,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
             (redcc_int)(redcc_length) * (redcc_int)sizeof *(redcc_array);                          \
     } while (0)
 
-/** Requests memory for the operands of `redcc_count` updates, one operand per iteration and update.
- * redcc__operand_bytes has their sizes. */
+/** Requests memory for the operands of `redcc_count` scalar updates, one operand per iteration and
+ * update. redcc__operand_bytes has the size of an operand of each update. */
 #define REDCC_OPERANDS(redcc_count)                                                                \
     void *redcc__operands[redcc_count];                                                            \
     redcc__attempt.operand_count = redcc_count;                                                    \
@@ -224,8 +232,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
-/** Copies the value stored for iteration redcc__k, of type redcc_type, to the iteration's own
- * element if their bits differ. */
+/** redcc_kept has one value of type redcc_type for each iteration. Copies the value of iteration
+ * redcc__k to redcc_element, the iteration's own element, if their bits differ. */
 #define REDCC_STORE_KEPT(redcc_element, redcc_type, redcc_kept)                                    \
     do {                                                                                           \
         const redcc_type *const redcc__of_iteration = (const redcc_type *)redcc_kept + redcc__k;   \
@@ -245,7 +253,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     const redcc_int redcc__lower __attribute__((__unused__)) = redcc__attempt->first;              \
     const redcc_int redcc__trip __attribute__((__unused__)) = redcc__attempt->trip
 
-/** Used in the body of the last iteration: 1 for exactly one of the threads that execute it. */
+/** Used in the body of the last iteration, which several threads may execute: 1 for exactly one of
+ * them. */
 #define REDCC_CLAIMS_LAST redcc__worker->call->calls->claims_last(redcc__worker)
 
 /** A spin lock, held only for a few instructions. */
@@ -257,8 +266,8 @@ REDCC_INLINE void redcc_unlock(int *lock) {
     __atomic_store_n(lock, 0, __ATOMIC_RELEASE);
 }
 
-/** The induction variable's value, of type redcc_type, redcc_offset after its first value.
- * Compilers may assume that the conversion preserves the value, so that they can increment
+/** The induction variable's value, redcc_lower plus redcc_offset, converted to redcc_type.
+ * redcc_assume tells compilers that the conversion preserves the value, so that they can increment
  * addresses. Otherwise they would sign-extend the value and compute the address in each iteration:
  * two instructions of 43 in springs (script/bench choice), 10 % of the time with two threads. */
 #define REDCC_COUNTER(redcc_type, redcc_offset)                                                    \
@@ -270,7 +279,8 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         __builtin_unreachable();
 }
 
-/** Follows the original loop: gives its time to method `auto`. */
+/** Follows the original loop: if loops are being timed, tells the runtime that this one has
+ * ended. */
 #define REDCC_OVER(redcc_site)                                                                     \
     do {                                                                                           \
         const redcc_calls *const redcc__calls =                                                    \
@@ -283,12 +293,12 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
 
 /* ---- the body ------------------------------------------------------------------------------ */
 
-/** Qualifiers of a body. redcc__checked is a constant in each call, so that each call is compiled
- * separately. */
+/** Qualifiers of a body. In each call the argument redcc__checked is a constant, so that the body
+ * is compiled separately for each value. */
 #define REDCC_BODY REDCC_INLINE void
 
-/** Marked cold: otherwise gcc would keep the body's constants in memory, because no floating-point
- * register survives a call. */
+/** Marked cold: otherwise gcc would keep the body's constants in memory, because floating-point
+ * registers do not survive a call. */
 static __attribute__((__noinline__, __cold__, __unused__)) int
 redcc_call_hook(const redcc_worker *worker, struct redcc_hook *hook, const void *address) {
     return worker->call->calls->hooked(hook, address);
@@ -304,26 +314,27 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
     return redcc_is_owned(worker, owner, address);
 }
 
-/** Precedes an update of array number redcc_i. In the owner-checked form the thread makes the
- * update only if it owns the element. */
+/** Precedes an update of array number redcc_i. In an owner-checked iteration (redcc__checked is 1)
+ * the thread makes the update only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
     if (!redcc__checked ||                                                                         \
         (redcc__by_calls ? redcc_is_owned_by_call(redcc__worker, redcc__own_##redcc_i, redcc_at)   \
                          : redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at)))
 
-/** Begins an inner iteration. In the owner-checked form the thread skips the inner iteration if it
- * owns none of the rows that it would update. */
+/** Begins an inner iteration. In an owner-checked outer iteration (redcc__checked is 1) the thread
+ * skips the inner iteration unless redcc_owned is true. redcc_owned: does it own a row that the
+ * inner iteration would update? */
 #define REDCC_INNER_ITERATION(redcc_owned)                                                         \
     if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;
-/** For a loop without series: must the thread execute every inner iteration, even if it owns none
- * of the rows? */
+/** REDCC_LEADS_ALONE, for a loop without series: must the thread execute every inner iteration,
+ * even if it owns none of the rows? REDCC_OWNS_ROW: does it own a part of this row? */
 #define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
-/* Parameters and arguments for the arrays of a chunk: the base to write to, and the elements that
- * the thread owns. */
+/* Parameters, arguments and local variables for the arrays of a chunk: for each array, the base to
+ * write to, and the elements that the thread owns. */
 #define REDCC_BODY_PARAMETERS_1                                                                    \
     redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__checked,       \
         const redcc_owner *const redcc__own_0
@@ -350,8 +361,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 
 #include <redcc/tiles.h>
 
-/** Executes the runs from redcc__run to redcc__run_end, owner-checked or plain. With prefetches, it
- * steps by one iteration; otherwise it executes each run at once. */
+/** Executes the runs from redcc__run to before redcc__run_end, each owner-checked or plain. If the
+ * loop prefetches, each iteration is preceded by its prefetches. */
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
@@ -372,9 +383,9 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         }                                                                                          \
     }
 
-/** Classifies iterations by whether the thread owns the rows they touch. The classes are stored in
- * a local array first, so that the compiler sees that storing them does not change the slice's
- * reads. */
+/** For each iteration from worker->first to before worker->last, stores whether the thread owns
+ * all, some or none of the rows that it touches. The classes are collected in a local array, so
+ * that the compiler sees that storing them does not change what the slice reads. */
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__source_mask = 0;                                                    \
@@ -388,8 +399,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         redcc_store_classes(redcc__worker, redcc__class);                                          \
     }
 
-/** Precedes a block that executes the next chunk. Whenever the runtime requests it, classifies
- * iterations first. */
+/** Precedes a block that executes the next chunk: gets the chunk. Whenever redcc_next returns
+ * REDCC_SELECT, classifies iterations and calls it again. */
 #define REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
     for (;;) {                                                                                     \
         redcc__chunk_kind = redcc__worker->call->calls->next(redcc__worker);                       \
@@ -401,8 +412,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 /** Executes chunks run by run, owner-checked or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
-/** As REDCC_EXECUTE, but if the runtime requests it at the end, iterations are executed a second
- * time. */
+/** As REDCC_EXECUTE. When no chunk is left and redcc_again is true, the block is executed once
+ * more, with the runs that the runtime then sets. */
 #define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
                           redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
@@ -418,9 +429,9 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         }                                                                                          \
     }
 
-/** Precedes a loop of few iterations, which the compiler is to unroll. redcc writes it for at most
- *  16 iterations. _PLAIN excludes the owner-checked form (redcc__checked is 1), which takes long to
- *  compile and is rarely executed. */
+/** Precedes an inner loop that the compiler shall unroll. redcc writes it for at most 16
+ * iterations. REDCC_UNROLLED_PLAIN does not unroll the owner-checked form under gcc, because that
+ * form takes long to compile and is rarely executed. */
 #ifdef __clang__
 #define REDCC_UNROLLED                                                                             \
     _Pragma("clang diagnostic ignored \"-Wpass-failed\"") _Pragma("clang loop unroll(full)")
@@ -430,8 +441,8 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 #define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
 
-/** Used in the step expression of such a loop in the body. Prevents unrolling of owner-checked
- * iterations. */
+/** Used in the step expression of a loop that REDCC_UNROLLED_PLAIN precedes. Prevents its unrolling
+ * in owner-checked iterations. */
 #define REDCC_ROLLED(redcc_counter)                                                                \
     __extension__({                                                                                \
         if (redcc__checked)                                                                        \
@@ -440,7 +451,7 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
 
 /* ---- the function of each thread ------------------------------------------------------------ */
 
-/** The thread joins the region and inspects the blocks that the runtime hands out. */
+/** Declares redcc__k and inspects the blocks that the runtime hands out to this thread. */
 #define REDCC_JOIN(redcc_call_of_slice)                                                            \
     redcc_worker *const redcc__recorder = redcc__worker;                                           \
     redcc_int redcc__k;                                                                            \
@@ -454,16 +465,17 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 
-/** As REDCC_PARALLEL, for loops with series (redcc/series.h): iterations may be handed out a second
- * time, and one of the threads that execute an iteration is its leader. */
+/** As REDCC_PARALLEL, for loops with series (redcc/series.h): all iterations may be executed a
+ * second time, and of the threads that execute an iteration one is its leader. */
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE_AND(redcc_again, 2, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)    \
     }
 
-/** gcc inlines a static function that has a single call. The region is compiled in several copies,
- *  and the function must be inlined in each. (clang decides for each call separately.) */
+/** Precedes the region of a loop, to keep its function inlined under gcc. gcc inlines a static
+ * function that has a single call, but the region is compiled in several copies, and the function
+ * must be inlined in each. (clang decides for each call separately.) */
 #if !defined(__clang__) && defined(__OPTIMIZE__)
 #define REDCC_QUIET_REDUNDANT _Pragma("GCC diagnostic ignored \"-Wredundant-decls\"")
 #define REDCC_KEEP_INLINED(redcc_function)                                                         \

@@ -108,8 +108,8 @@
     REDCC_INLINE void name##_slice(const redcc_slice *it, counter, const struct name *loop)
 #define REDCC_BODY(name, counter)                                                                  \
     REDCC_INLINE void name##_body(redcc_body *it, counter, const struct name *loop)
-/** For a body of several hundred operations: it is compiled once for all modes. Requires
- * REDCC_ONE_BODY. */
+/** REDCC_HEAVY_BODY is for a body of several hundred operations: it is compiled once for all modes,
+ * and not inlined. Requires REDCC_ONE_BODY. */
 #define REDCC_HEAVY_BODY(name, counter)                                                            \
     REDCC_ONCE void name##_body(redcc_body *it, counter, const struct name *loop)
 #define REDCC_DESCRIBE(name)                                                                       \
@@ -122,9 +122,9 @@
 #define REDCC_READ(name)                                                                           \
     { name, 0 }
 #define REDCC_KEPT(array, type, n) REDCC_KEPT_BY(0, array, type, n, (n) * sizeof(type))
-/** As REDCC_KEPT, with the file's own apply function (0: the library's) and records of `bytes`
- * bytes. Records may have a wider type than the array: for doubles added to floats, they have 8
- * bytes per number. */
+/** As REDCC_KEPT, with an apply function of the user (0: the library's) and records of `bytes`
+ * bytes. Records may have a wider type than the array: for doubles that are added to floats, a
+ * record has 8 bytes per number. */
 #define REDCC_KEPT_BY(apply, array, type, n, bytes)                                                \
     { apply, 1, {array, 0, 0, 0}, {(n) * sizeof(type), 0, 0, 0}, bytes, 0, REDCC_IS_INTEGER(type) }
 
@@ -136,8 +136,9 @@
     redcc_slice_read_row(it, source, &(base)[row], base, (redcc_int)(row), sizeof((base)[row]))
 #define redcc_updates_bytes(it, array, address, bytes) redcc_slice_update(it, array, address, bytes)
 #define redcc_reads_bytes(it, source, address, bytes) redcc_slice_read(it, source, address, bytes)
-/** Return 1 if the slice must return at once. Called after an update, and after a read that may
- * overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
+/** For loops that may update their own subscripts (REDCC_DRY_RUN). If one of these returns 1, the
+ * slice must return at once. redcc_is_finished follows an update; redcc_is_outdated follows a read
+ * that may overlap an update. */
 #define redcc_is_finished(it) redcc_slice_finished(it)
 #define redcc_is_outdated(it, source) redcc_slice_outdated(it, source)
 

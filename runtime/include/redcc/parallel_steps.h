@@ -76,7 +76,7 @@ typedef struct redcc_description {
     int gives_up;
     void **bases;
     redcc_extent *known;
-    redcc_word *starts; /* for each source, its base as a part of the key */
+    redcc_word *starts; /* for each source, its base address, which is a part of the key */
     redcc_word *extra;  /* the other values of the key (redcc_depends_on) */
 } redcc_description;
 
@@ -156,13 +156,13 @@ REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
 
 /* ---- bodies ---- */
 
-/** Mode of a body, a constant in each use. PLAIN: it makes all updates. OWNED: it makes only
- * updates of owned elements. KEEPING: it pushes updates to bins. COPYING: it makes them on private
- * copies. */
+/** Mode of a body, a constant in each use. PLAIN: the body makes all updates. OWNED: it makes only
+ * updates of elements that the thread owns. KEEPING: it pushes updates to bins. COPYING: it makes
+ * updates on private copies. */
 enum { REDCC_PLAIN = 0, REDCC_OWNED = 1, REDCC_KEEPING = 2, REDCC_COPYING = 3 };
 
-/** The open rows (redcc_row), and memory for their values. Separate from redcc_body, whose address
- * must not escape, so that its fields stay in registers. */
+/** The open rows (redcc_row), and memory for their values. Not part of redcc_body, because the
+ * address of redcc_body must not escape: its fields shall stay in registers. */
 typedef struct redcc_rows {
     redcc_kept_row kept[REDCC_MOST_ROWS];
     char values[REDCC_ROWS_BYTES] __attribute__((__aligned__(16)));
@@ -188,7 +188,8 @@ REDCC_INLINE int redcc_owns_at(const redcc_body *it, redcc_u32 array, const void
     return owner->hook && it->worker->call->calls->hooked(owner->hook, address);
 }
 
-/** The number of the row, or of the element, that is at `address`. */
+/** The number of the row at `address`, counted from the array's base in rows of
+ * streams[array].rows[0] bytes (a row may be a single element). */
 REDCC_INLINE redcc_int redcc_number_of(const redcc_body *it, redcc_u32 array, const void *address) {
     return ((redcc_int)((redcc_size)address - (redcc_size)it->base[array])) /
            (redcc_int)it->streams[array].rows[0];
@@ -216,8 +217,8 @@ REDCC_INLINE int redcc_is_concerned(const redcc_body *it, redcc_u32 array, const
     return it->mode != REDCC_OWNED || redcc_owns_part(&it->owner[array], address, bytes);
 }
 
-/** Sets values to the neutral element of the array's operator. For sums it is -0.0, because 0.0 +
- * -0.0 is 0.0 and -0.0 + -0.0 is -0.0. */
+/** Sets values to the neutral element of the array's operator. For sums of doubles it is -0.0,
+ * because x + -0.0 is x even if x is -0.0. */
 REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *values,
                                      redcc_size bytes) {
     const redcc_array *const is = &it->arrays[array];
@@ -229,13 +230,12 @@ REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *valu
         it->worker->call->calls->fill(is, values, bytes);
 }
 
-/** Returns a scratch row of neutral elements. Later scratch rows may share its memory, unless it is
- * in rows->kept. */
+/** Returns a scratch row of neutral elements. A later scratch row may use the same memory, unless
+ * the row is in rows->kept. */
 REDCC_INLINE void *redcc_neutral_row(redcc_body *it, redcc_u32 array, redcc_size bytes) {
     char *values;
     if (__builtin_expect(it->used + bytes > REDCC_ROWS_BYTES, 0))
-        it->used =
-            0; /* scratch rows outside of rows->kept are never read, so they may share memory */
+        it->used = 0; /* rows that are not in rows->kept are never read, so they may share memory */
     values = it->rows->values + it->used;
     it->used += (bytes + 15) & ~(redcc_size)15;
     redcc_fill_neutral(it, array, values, bytes);
@@ -285,7 +285,7 @@ REDCC_INLINE void redcc_push_number(const redcc_body *it, redcc_u32 array, const
                record);
 }
 
-#ifdef __clang__ /* clang would warn if it does not unroll, for example with sanitizers */
+#ifdef __clang__ /* clang would warn where it does not unroll, for example with sanitizers */
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif
@@ -306,14 +306,16 @@ REDCC_INLINE void redcc_end_rows(redcc_body *it) {
 #pragma clang diagnostic pop
 #endif
 
-/* The value whose addition replaces a subtraction of `value`. -0.0 - value is -value and keeps the
- * sign of a NaN; integers wrap around. `sum` has the type in which the update is computed. */
+/* redcc_subtract pushes this value, whose addition has the same result as the subtraction of
+ * `value`. -0.0 - value is -value and keeps the sign of a NaN; integers wrap around. `sum` has the
+ * type in which the update is computed. */
 #define REDCC_NEGATED(sum, value)                                                                  \
     (REDCC_IS_FLOATING(sum) ? (__typeof__(sum))((__typeof__(sum))-0.0 - (value))                   \
                             : (__typeof__(sum))(0 - (redcc_word)(value)))
 
-/* Pushes an update's operand. Floating values are pushed in the type in which the update is
- * computed; integers in the element's type, in which they wrap around to the same result. */
+/* Pushes an update's operand. It has the type in which the update is computed, if that type or the
+ * element's is floating. Otherwise it has the element's type, in which integers wrap around to the
+ * same result. */
 #define REDCC_IS_WIDE(at, value) (REDCC_IS_FLOATING(*(at)) || REDCC_IS_FLOATING(*(at) + (value)))
 #define REDCC_KEEP_UPDATE(it, array, redcc_at, value, record)                                      \
     do {                                                                                           \

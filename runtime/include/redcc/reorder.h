@@ -17,7 +17,7 @@
 #include <stddef.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
+#ifdef REDCC_HIDDEN /* static library: programs linked with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default)
@@ -28,8 +28,8 @@ extern "C" {
 #endif
 
 /**
- * Orders rows by reverse Cuthill-McKee: in the graph, the rows that one iteration updates are
- * neighbours.
+ * Orders rows by the reverse Cuthill-McKee algorithm, on the graph in which two rows are neighbours
+ * if one iteration updates both.
  *   trip, touches   number of iterations; number of rows that each iteration updates
  *   row             [trip * touches] these rows: 0 <= row < rows
  *   new_of_old      [rows] the result

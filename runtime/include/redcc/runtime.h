@@ -32,8 +32,8 @@
 /** For use in #if: 1 if each floating-point operation is rounded separately, to its own type, in
  * any context. Only then do two copies of one expression give the same bits. A loop whose
  * subscripts are computed in floating point runs in parallel only under this condition. gcc defines
- * macros for all relevant options, also after pragmas. clang defines them for -ffast-math, and from
- * version 18 on clang's pragmas override the parts of that option. The pragmas do not override
+ * macros for all relevant options, also after pragmas. clang defines them for -ffast-math; its
+ * pragmas override the parts of that option in version 18 and later. The pragmas do not override
  * -ffp-contract=fast on a processor with fused multiply-adds. */
 #if !defined(__FLT_EVAL_METHOD__) && !defined(__clang__)
 #define REDCC_ROUNDS_ALIKE 0
@@ -61,7 +61,7 @@
 #include <redcc/entry.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the static library: programs with it export none of these names */
+#ifdef REDCC_HIDDEN /* static library: programs linked with it export none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the shared library hides all other names */
@@ -91,21 +91,22 @@
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
-/** The trip count from which a loop of short iterations (without loops or calls inside) is worth a
- * call of redcc_enter. For fewer iterations the call alone would double their time. It is set when
- * the runtime reads its environment variables: before main if none of them is set, else in the
- * first call of the runtime. It is 0 until then. It stays 0 if a method is named, sums are
- * compensated or results are validated. */
+/** The trip count from which a loop of short iterations (without loops or calls inside) calls
+ * redcc_enter. For fewer iterations that call alone would take as long as the loop. The runtime
+ * sets it when it reads its environment variables: before main if none of them is set, else in the
+ * first call of the runtime. Until then it is 0. It stays 0 if REDCC_METHOD names a method, sums
+ * are compensated or results are validated. */
 extern redcc_int redcc_least_trip;
 
-/** The number of short iterations, over all loops, that the program may still execute before any
- * loop calls redcc_enter. So few iterations could not repay the cost of the runtime's first call.
- * Zero or negative: every loop calls redcc_enter. The number is approximate if several threads
- * decrease it. */
+/** The number of short iterations, of all loops together, that the program may still execute before
+ * a loop calls redcc_enter. So few iterations could not repay the runtime's first call. If it is
+ * zero or negative, every loop calls redcc_enter. It is approximate if several threads decrease it
+ * at once. */
 extern redcc_int redcc_exempt_iterations;
 
-/** Are the functions that this object calls, directly or indirectly, those that `expected` names?
- * False if the static or the dynamic linker has replaced one of them by another definition. */
+/** Are the functions that this object calls, directly or indirectly, the definitions that
+ * `expected` names? False if the static or the dynamic linker has replaced one of them by another
+ * definition. */
 int redcc_are_linked(const redcc_callee *called, redcc_size count,
                      const redcc_expectation *expected, redcc_size expected_count);
 
@@ -113,26 +114,25 @@ int redcc_are_linked(const redcc_callee *called, redcc_size count,
  * Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
-/** Is the calling thread the process's initial thread and the only one that runs? OpenMP's idle
- * threads do not count as running. */
+/** Is the calling thread the process's initial thread and the only one that runs the program's
+ * code? Idle threads of OpenMP do not count. */
 int redcc_is_alone(redcc_loop *loop);
 
 /** Forms a crew (redcc/crew.h) of the calling thread's OpenMP team, all of whose threads reach the
- * loop: the first thread executes the loop, and the others help. If `locks` is set, this requires
- * that all other threads of the process are idle. Returns 0 if the loop must be executed as
- * written. */
+ * loop: the first thread executes the loop, and the others help. If `locks` is set, all other
+ * threads of the process must be idle. Returns NULL if the loop must be executed as written. */
 redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks);
 
 /** Called once by each thread of the region, with its number and the number of threads. */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
 
-/** Gets the next block of iterations to inspect. 1: worker->first, last and stride are set. 0: no
- * block is left; continue with redcc_next. */
+/** Gets the next block of iterations to inspect. 1: worker->first, worker->last and worker->stride
+ * are set. 0: no block is left; continue with redcc_next. */
 int redcc_inspect(redcc_worker *worker);
 
 /** Processes the addresses recorded so far; called by redcc_touch and redcc_iteration_done. Marked
- *  cold, because otherwise gcc keeps the body's constants in memory: no floating-point register
- *  survives a call. */
+ * cold, because otherwise gcc keeps the body's constants in memory: floating-point registers do not
+ * survive a call. */
 void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 
 /** Called by redcc_is_over: 1 if an earlier iteration of the dry run updated an address that is
@@ -149,33 +149,34 @@ int redcc_next(redcc_worker *worker);
 int redcc_claims_last(redcc_worker *worker);
 
 /** Called by redcc_owns: may this thread write at `address`? If so, prepares the update that
- * follows (takes its lock, or begins a compensated sum). The update may be of this element or of
- * several elements of its unit. Cold for the same reason as redcc_flush. */
+ * follows: takes its lock, or begins a compensated sum. The update may be of one element or of
+ * several elements of a unit. Cold for the same reason as redcc_flush. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
-/** The part of redcc_leave after redcc_enter returned 1. */
+/** Does the work of redcc_leave if redcc_enter returned 1. */
 int redcc_end(redcc_call *call);
 
-/** The part of redcc_sequential_done for loops that are timed. */
+/** Does the work of redcc_sequential_done if a loop is timed. */
 void redcc_sequential_end(redcc_loop *loop);
 
-/** The number of original loops that are being timed, in all threads: each must report its end. */
+/** The number of original loops that are being timed now, in all threads. If it is not 0, each
+ * original loop must report its end (redcc_sequential_done). */
 extern int redcc_timed_loops;
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif
 
-/** Ends an execution, whatever redcc_enter returned. Returns 1: the loop is done. 0: the arrays are
- * untouched (a guard failed, or there was no memory or no plan) and the caller must run the
- * original loop; the report gives the reason. */
+/** Ends an execution, after any result of redcc_enter. Returns 1 if the loop is done. Returns 0 if
+ * the arrays are untouched (a guard failed, or there was no memory or no plan). Then the caller
+ * must run the original loop, and the report gives the reason. */
 static __inline__ int redcc_leave(redcc_call *call) {
     return call->decided ? redcc_end(call) : 0;
 }
 
 /** Called after the original loop, and also if redcc_leave returned 1, by the thread that called
- *  redcc_leave. It gives method `auto` the time of the original loop. Does nothing if redcc_enter
- *  did not request timing. */
+ * redcc_leave. If redcc_enter requested timing, passes the original loop's time to method `auto`;
+ * otherwise does nothing. */
 static __inline__ void redcc_sequential_done(redcc_loop *loop) {
     if (__atomic_load_n(&redcc_timed_loops, __ATOMIC_RELAXED))
         redcc_sequential_end(loop);
@@ -195,8 +196,9 @@ static __inline__ int redcc_is_worth_entering(redcc_int trip) {
     return left <= 0;
 }
 
-/* Exact integer arithmetic before redcc_enter, for subscripts that may wrap around in C, or that
- * the program does not compute in the first or last iteration. Sets *lost on overflow. */
+/* Exact integer arithmetic before redcc_enter. It computes addresses of subscripts that may wrap
+ * around in C, or that the program does not compute itself. Each function sets *lost on
+ * overflow. */
 
 static __inline__ redcc_int redcc_exact_sum(redcc_int left, redcc_int right, int *lost) {
     redcc_int sum;
@@ -229,8 +231,8 @@ static __inline__ redcc_int redcc_exact_signed(redcc_int value, int bits, int *l
     return value;
 }
 
-/** Sets *extent to the bytes from the lower of two addresses to `bytes` after the higher one,
- * without addresses below 1. Sets *lost if this is empty or its end overflows. */
+/** Sets *extent to the bytes from the lower of two addresses to `bytes` after the higher one.
+ * Addresses below 1 are left out. Sets *lost if no byte is left or the end overflows. */
 static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, redcc_int other,
                                           redcc_int bytes, int *lost) {
     const redcc_int low = one < other ? one : other;
@@ -243,7 +245,8 @@ static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, r
 #include <redcc/steps.h>
 
 /** Executor, owner-checked form: may this thread write at `address`? Called before each update of
- * an element, or once before updates of several elements of one unit that begin there. */
+ * an element. If several elements of one unit are updated together, called once, with the address
+ * of the first. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
     return redcc_has(owner, address) || (owner->hook && redcc_hooked(owner->hook, address));
 }

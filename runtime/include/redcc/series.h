@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Sums of floating scalars in inner loops, `e += f(i, j)`. The number of operands of an iteration
- * is not known in advance, and they must be added in the order of the sequential loop. Each thread
- * appends the operands of the iterations that it executes to its own list. At the end the first
- * thread adds them in the order of the iterations. With tiles, the thread that has executed a band
- * of rows adds the band's operands, once those of the band above were added.
+ * is not known in advance, and the operands must be added in the order of the sequential loop. Each
+ * thread appends the operands of the iterations that it executes to its own list. At the end the
+ * first thread adds them in the order of the iterations. If the loop is executed by tiles
+ * (tiles.h), the thread that has executed a band of rows adds the band's operands, after those of
+ * the band above.
  *
  *     redcc_run               one thread    allocates a table of the iterations (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_REPEATS    each thread   when nothing is left to execute. If memory was short,
+ *     REDCC_SERIES_REPEATS    each thread   when no iteration is left. If memory was short,
  *                                           the first thread executes all iterations again: it
  *                                           makes no updates, but adds the operands directly
  *     REDCC_SERIES_BANDS      each thread   after each tile
@@ -23,7 +24,8 @@
 #ifndef REDCC_SERIES_H
 #define REDCC_SERIES_H
 
-/** A part of the operands of one iteration, in their order. They lie one after the other. */
+/** A part of the operands of one iteration. They lie consecutively in memory, in the order in which
+ * they are added. */
 struct redcc_series_part {
     struct redcc_series_part *more; /**< the operands that follow; NULL: none */
     redcc_size count;
@@ -43,10 +45,10 @@ struct redcc_series_writer {
     int adds;          /**< the thread adds operands directly and does not store them */
     int begins;        /**< `adds` is set, and the thread has not added an operand yet */
     int follows;       /**< another thread stores the operands of the current iteration */
-    int in_front;      /**< the thread has executed all iterations before `next`, and so adds its
-                          operands directly */
-    int added;         /**< the thread has added an operand */
-    redcc_int next;    /**< operands of this iteration and later ones are stored */
+    int in_front; /**< the thread has executed all iterations before `next`, so it adds its operands
+                     directly */
+    int added;    /**< the thread has added an operand */
+    redcc_int next;           /**< operands of iteration `next` and later iterations are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
     struct operand_block *first,
         *block; /**< the thread's memory blocks: the first one, and the one that `at` points into */
@@ -68,8 +70,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                    (redcc_writer).begin = 0)                                       \
                           : (void)0)
 
-/** Begins an iteration. In the owner-checked form another thread may store the iteration's
- * operands: its leader (redcc_probe_first), which executes the whole iteration. */
+/** Begins an iteration. In an owner-checked iteration another thread may store the operands: the
+ * iteration's leader (redcc_probe_first), which executes the whole iteration. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     (REDCC_SERIES_COMPLETE(redcc_writer), (redcc_writer).part = 0,                                 \
      (redcc_writer).end = (redcc_writer).at,                                                       \
@@ -78,7 +80,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
-/** Begin and end that stretch of an iteration which lies in the current tile. */
+/** REDCC_SERIES_RESUME begins, and REDCC_SERIES_SUSPEND ends, the part of an iteration that lies in
+ * the current tile. */
 #define REDCC_SERIES_RESUME(redcc_writer)                                                          \
     ((redcc_writer).part =                                                                         \
          redcc__tile->is_first ? 0 : (redcc_writer).ends[redcc__k - redcc__tile->row],             \
@@ -87,18 +90,19 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
 #define REDCC_SERIES_SUSPEND(redcc_writer)                                                         \
     (REDCC_SERIES_COMPLETE(redcc_writer),                                                          \
      (redcc_writer).ends[redcc__k - redcc__tile->row] = (redcc_writer).part)
-/** While the first thread executes the loop's first iterations, it adds operands directly to the
- * scalar's value. */
+/** While the first thread executes the loop's first iterations, it adds operands directly to
+ * redcc_own, its copy of the scalar. */
 #define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \
     if (redcc__worker->thread == 0) {                                                              \
         (redcc_writer).in_front = (redcc_writer).adds = 1;                                         \
         redcc_own = redcc_scalar;                                                                  \
     }
-/** Must the thread execute the whole iteration, whatever it owns? */
+/** Must the thread execute the whole iteration, including parts that update no row that it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
-/** Stores an operand of iteration number k and returns 1. Also returns 1 if another thread stores
- * the operand. 0: the caller must add the operand itself (`adds`), or there was no memory. */
+/** Stores an operand of iteration number k and returns 1. If another thread stores the operand,
+ * only returns 1. Returns 0 if the caller must add the operand itself (`adds`), or if there was no
+ * memory. */
 static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
                                                                    redcc_int k, double operand) {
     if (writer->follows)
@@ -113,8 +117,8 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
     return 1;
 }
 
-/** Follows each tile. After the last tile of a band, the band's thread adds the operands of all
- * series, once those of the band above were added. */
+/** Follows each tile. After the last tile of a band, the band's thread waits until the operands of
+ * the band above were added, and then adds the band's operands of all series. */
 #define REDCC_SERIES_BANDS(redcc_count, redcc_sums)                                                \
     if (redcc__tile.is_last) {                                                                     \
         redcc__worker->call->calls->series->await_band(redcc__worker);                             \
@@ -146,15 +150,15 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
 #define REDCC_SERIES_REPEATS(redcc_count)                                                          \
     redcc__worker->call->calls->series->repeats(redcc__worker, redcc__writers, redcc_count)
 
-/** The thread that adds the operands begins with the scalar's value, if the loop updates the scalar
- * at all. */
+/** If this thread adds the operands directly and has not begun, sets redcc_own to the scalar's
+ * value. The scalar is read only if the loop updates it at all. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \
     ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series)                 \
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 
-/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. redcc_operand is the
- * type to which an operand is converted first. */
+/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. Each operand is first
+ * converted by redcc_operand (the type in which it is added). */
 #define REDCC_SERIES_APPLY(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,  \
                            redcc_own, redcc_sum, redcc_is_set)                                     \
     if ((redcc_writer).added || (redcc_writer).calls->has_any((redcc_writer).series)) {            \

@@ -9,10 +9,10 @@
 #include <redcc/entry.h>
 #include <redcc/prefetch.h>
 
-/** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__worker 0 if they are
- * prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
- * sources. In each use the compiler knows which of these are 0, so that it compiles the slice for
- * each use separately. */
+/** Parameters of a slice. redcc__probe is 0 if addresses are recorded; redcc__worker is 0 if they
+ * are prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
+ * the sources whose reads are recorded. In each use the compiler knows which parameters are 0, so
+ * that it compiles the slice for each use separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
@@ -22,7 +22,7 @@
 #define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__source_mask, redcc__by_calls
 
 /** For long iterations (lanes.h): the slice is compiled once for all uses, and records and compares
- * addresses by calls. Other slices are inlined in each use. */
+ * addresses by function calls. Other slices are inlined in each use. */
 #define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
 #define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
 enum { redcc__by_calls = 0 };
@@ -37,8 +37,8 @@ enum { redcc__by_calls = 0 };
  * recorded. */
 #define REDCC_IF_RECORDED(redcc_i) if (!redcc__source_mask || redcc__source_mask >> (redcc_i)&1)
 
-/** As REDCC_TOUCH and REDCC_READ, for redcc_base[redcc_row]. No iteration changes redcc_base, so
- * the number identifies the row. */
+/** As REDCC_TOUCH and REDCC_READ, for redcc_base[redcc_row]. redcc_base is the same in all
+ * iterations, so the number redcc_row identifies the row. */
 #define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
     redcc_slice_touch_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],      \
                           (const void *)(redcc_base), (redcc_int)(redcc_row),                      \
@@ -48,8 +48,8 @@ enum { redcc__by_calls = 0 };
                          (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
                          sizeof((redcc_base)[redcc_row]))
 
-/** In a loop that needs a dry run: returns if the preceding update (OVER) or read (STALE) has ended
- * the dry run. */
+/** For a loop that needs a dry run: returns from the slice if the preceding update (_OVER) or read
+ * (_STALE) has ended the dry run. */
 #define REDCC_RETURN_IF_OVER                                                                       \
     if (redcc__worker && !redcc__probe && !redcc__source_mask && !redcc__worker->last)             \
         return;
@@ -66,8 +66,8 @@ enum { redcc__by_calls = 0 };
         return;                                                                                    \
     }
 
-/** Makes the owner of the row that is touched next the leader of the iteration, which executes all
- * of it (redcc/series.h). */
+/** Makes the owner of the row that is touched next the iteration's leader, which executes the whole
+ * iteration (redcc/series.h). */
 #define REDCC_LEADER                                                                               \
     if (redcc__probe)                                                                              \
         redcc__probe->preferred = 1;
@@ -76,31 +76,33 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/** A hull: the addresses from the lowest to the highest that loops over rows touch. Both are 0 if
- * the hull is empty. */
+/** A hull: the range of addresses from the lowest to the highest that the slice's loops over rows
+ * touch. Both are 0 if the hull is empty. */
 typedef struct redcc_hull {
     const char *first, *end;
 } redcc_hull;
 
-/** Does the hull suffice? Yes if everything that an iteration touches is compared with one range,
- * or is logged in a dry run, whose guard compares ranges. */
+/** Does the hull suffice, without the addresses of all rows? Yes if touches are compared with a
+ * single range, or logged in a dry run, whose guard compares ranges. */
 #define REDCC_BY_HULL(redcc_i)                                                                     \
     (redcc__worker && !redcc__source_mask && !redcc__worker->window[redcc_i].map &&                \
      (redcc__probe || redcc__worker->alike < 0))
-/** The step of a loop over rows whose first and last rows have the extreme addresses. If the hull
- * suffices, goes from the first row directly to the last. */
+/** The step of a loop over rows, if its first and last rows have the lowest and highest addresses.
+ * If the hull suffices, the loop goes from the first row directly to the last. */
 #define REDCC_NEXT_ROW(redcc_counter, redcc_last)                                                  \
     redcc_counter = redcc__by_hull && redcc_counter != (__typeof__(redcc_counter))(redcc_last)     \
                         ? (__typeof__(redcc_counter))(redcc_last)                                  \
                         : (__typeof__(redcc_counter))(redcc_counter + 1)
-/** As REDCC_TOUCH_SPAN, in a loop that steps by REDCC_NEXT_ROW. */
+/** As REDCC_TOUCH_SPAN, in a loop that steps by REDCC_NEXT_ROW: if the hull suffices, only extends
+ * it. */
 #define REDCC_TOUCH_PART(redcc_i, redcc_at, redcc_end)                                             \
     if (redcc__by_hull)                                                                            \
         redcc_hull_add(&redcc__hull_##redcc_i, redcc__probe, &redcc__worker->window[redcc_i],      \
                        redcc_at, redcc_end);                                                       \
     else                                                                                           \
         redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
-/** Follows the outermost loop that steps by REDCC_NEXT_ROW: touches the hull. */
+/** Follows the outermost loop that steps by REDCC_NEXT_ROW: records or compares the hull, if it is
+ * not empty. */
 #define REDCC_TOUCH_HULL(redcc_i)                                                                  \
     if (redcc__hull_##redcc_i.end)                                                                 \
         redcc_slice_touch_hull(redcc__probe, redcc__worker, redcc_i, &redcc__hull_##redcc_i);
@@ -125,8 +127,8 @@ REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worke
     probe->outside |= redcc_leaves(window->first, window->size, hull->first, bytes);
 }
 
-/* Handles a touch outside of the owned range, or of an owner with a map. Callers inline the common
- * case. */
+/* Handles a touch that is not certainly in the owned range: one outside of it, or any touch if the
+ * owner has a map. Callers inline the common case. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_inspect_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
                       const void *address, redcc_size bytes) {
@@ -225,9 +227,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
         redcc_touch_span(worker, array, first, end);
 }
 
-/** Inspects the blocks of iterations that are handed out. Iterations that need no record are
- * compared in a loop without calls and stores, so that compilers keep the invariants in registers.
- */
+/** Inspects the blocks of iterations that are handed out. After redcc_is_settled, iterations are
+ * only compared with known ranges, in a loop without calls and stores, so that compilers keep the
+ * loop's invariants in registers. */
 #define REDCC_INSPECT(redcc_call_of_slice)                                                         \
     while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
         const redcc_u32 redcc__source_mask = 0;                                                    \

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Steps of a slice and a body that are inlined: recording or comparing addresses, checking owners,
- * appending updates to bins. redcc/parallel.h and redcc/runtime.h include this file.
+ * Steps of a slice and a body, inlined in optimised builds: recording or comparing addresses,
+ * checking owners, appending updates to bins. redcc/parallel.h and redcc/runtime.h include this
+ * file.
  */
 #ifndef REDCC_STEPS_H
 #define REDCC_STEPS_H
 
 #include <redcc/structures.h>
 
-/** Without optimisation nothing is inlined: inlined copies of unoptimised steps make an object ten
- * times as large, and take three times as long to compile, or seven times with sanitizers. */
+/** Without optimisation nothing is inlined. Inlined copies of unoptimised steps would make an
+ * object ten times as large. They would take three times as long to compile, or seven times with
+ * sanitizers. */
 #ifdef __OPTIMIZE__
 #define REDCC_INLINE                                                                               \
     static __inline__ __attribute__((__always_inline__, __unused__, __no_instrument_function__))
@@ -19,9 +21,10 @@
 
 /* ---- owners ---- */
 
-/** into / unit, without a division if there is a wider multiplication. The reciprocal is m =
- * floor((2^64 - 1) / unit) + 1: m * unit exceeds 2^64 by less than `unit`. So the high half of m *
- * into is the quotient while into * unit < 2^64. If the reciprocal is 0, divides. */
+/** into / unit, computed by a multiplication if the compiler has a 128-bit type. The reciprocal is
+ * m = floor((2^64 - 1) / unit) + 1, so m * unit exceeds 2^64 by less than `unit` or equals it.
+ * Therefore the high half of m * into is the quotient while into * unit < 2^64. If the reciprocal
+ * is 0, divides. */
 REDCC_INLINE redcc_size redcc_quotient(redcc_size into, redcc_size unit, redcc_word reciprocal) {
 #ifdef __SIZEOF_INT128__
     __extension__ typedef unsigned __int128 redcc__wide;
@@ -36,8 +39,8 @@ REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size i
     return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
-/* Not inlined, because it would be slow to compile at each update. The fields are passed by value,
- * so that compilers can keep an owner without a map in registers. */
+/* Not inlined, because compiling a copy at each update would be slow. The fields are passed by
+ * value, so that compilers can keep an owner without a map in registers. */
 static __attribute__((__noinline__, __unused__)) int
 redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
                    redcc_word reciprocal, unsigned self) {
@@ -52,7 +55,7 @@ REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
             redcc_is_mapped_to(owner->map, into, owner->unit, owner->reciprocal, owner->self));
 }
 
-/* As redcc_mapped, for a range that has several units or lies partly or completely outside of the
+/* As redcc_mapped, for a range that spans several units or lies partly or completely outside of the
  * map. */
 static __attribute__((__noinline__, __unused__)) unsigned
 redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
@@ -69,8 +72,8 @@ redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     return seen;
 }
 
-/** Returns REDCC_CLASS_OWN if the thread owns some of the `bytes` > 0 bytes at offset `into` of its
- * map, plus REDCC_CLASS_OTHERS if it does not own all of them. */
+/** Returns REDCC_CLASS_OWN if the thread owns any of the `bytes` > 0 bytes at offset `into` of its
+ * map. Adds REDCC_CLASS_OTHERS if it does not own all of them. */
 REDCC_INLINE unsigned redcc_mapped(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     if (into < owner->size) {
         const redcc_size unit = redcc_unit_number(owner, into);
@@ -110,8 +113,8 @@ static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, c
     redcc_touch(worker, array, first, (redcc_size)(end - first));
 }
 
-/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number
- *  `source`. */
+/** Inspector: this iteration may read `bytes` bytes at `address`, which belong to source number
+ * `source`. Extends the thread's range of the source. */
 static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const void *address,
                                   redcc_size bytes) {
     redcc_extent *extent = &worker->sources[source];
@@ -124,7 +127,7 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
 
 /** Inspector, in a dry run (worker->alike < 0): 1 if an earlier iteration updated an address that
  * is recorded as read from source number `source`. The dry run then ends, and the slice must not
- * use the value. */
+ * use the value that it read. Without a dry run, 0. */
 static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
     const redcc_extent *recorded = &worker->sources[source];
     const redcc_owner *clear;
@@ -145,7 +148,8 @@ static __inline__ void redcc_iteration_leaves(redcc_worker *worker) {
         worker->call->calls->is_stale(worker, REDCC_LEAVES);
 }
 
-/** Inspector: the addresses of one iteration are complete. */
+/** Inspector: the addresses of one iteration are complete. If all are in the owned range, only
+ * counts the iteration. */
 static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     if (worker->inside && !worker->outside) {
         worker->inside = 0;
@@ -160,22 +164,22 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->call->calls->flush(worker); /* the owned range may differ for the next iteration */
 }
 
-/** The result of probing an iteration, which tells whether the iteration needs a record. inside: it
- * touches an element of the owned range. outside: it touches or reads something outside of the
- * known ranges. All fields are initially 0, except `selects` for REDCC_SELECT. With REDCC_SELECT,
- * `outside` means that the iteration touches an element outside of the owned range, and reads do
- * not matter. */
+/** The result of probing an iteration. `inside`: it touches an element. `outside`: it touches or
+ * reads something outside of the known ranges, so it needs a record. With REDCC_SELECT, `inside`
+ * and `outside` mean that it touches an element inside and outside of the owned range, and reads do
+ * not matter. All fields are initially 0, except `selects` for REDCC_SELECT. */
 typedef struct redcc_probe {
     int inside;
     int outside;
-    int selects;   /* not 0: for REDCC_SELECT; 2: also finds the leader. A constant in each use */
-    int preferred; /* the row that is touched next is preferred as the leading row */
+    int selects; /* not 0: for REDCC_SELECT; 2: also finds the leader. It is a constant in each use
+                  */
+    int preferred; /* the next row that the slice touches is preferred as the leading row */
     int rank;      /* rank of the leading row so far; 0: no row, 1: a row, 2: a preferred row */
     int leads;
 } redcc_probe;
 
-/** Chooses the leader: the owner of the first byte of the first preferred row or, if none is
- * preferred, of the first row. Thus all threads choose the same leader. */
+/** Finds the iteration's leader: the owner of the first byte of the first preferred row or, if no
+ * row is preferred, of the first row. Thus all threads choose the same leader. */
 static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
                                          const void *address) {
     const int rank = probe->preferred ? 2 : 1;
@@ -186,7 +190,8 @@ static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *
     probe->leads = redcc_has(window, address);
 }
 
-/** For REDCC_SELECT with a map: finds who owns the `bytes` > 0 bytes at `address`. */
+/** For REDCC_SELECT with a map: finds whether this thread, others or both own the `bytes` > 0 bytes
+ * at `address`. */
 REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *window,
                                      const void *address, redcc_size bytes) {
     const unsigned seen =
@@ -197,24 +202,25 @@ REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *wind
 
 /** True after REDCC_SETTLED consecutive iterations that touched only the current owner's range.
  * Then the next iterations are first probed, in order, by redcc_probe_touch and redcc_probe_read
- * (or their variants by row number). Iterations for which redcc_is_alike holds are counted in
- * worker->alike; the first other iteration is recorded. False if no owned range is set or the
- * stride is not 1. */
+ * (or by the variants for row numbers). Each iteration for which redcc_is_alike holds is counted in
+ * worker->alike; the first one for which it does not hold is recorded. False if no owned range is
+ * set or the stride is not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
     return worker->alike >= REDCC_SETTLED;
 }
 
-/* In the functions below, compilers keep all values except `address` and `row` in registers over a
- * loop. */
+/* In a loop that calls the functions below, compilers keep all arguments except `address` and `row`
+ * in registers. */
 
-/** Does a part of the `bytes` bytes at `address` lie outside of the `size` bytes at `first`? */
+/** Do the `bytes` bytes at `address` lie partly or completely outside of the `size` bytes at
+ * `first`? */
 static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
                                    redcc_size bytes) {
     const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* positions inside */
     return (redcc_size)address - (redcc_size)first >= places;
 }
 
-/** As redcc_leaves, for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+/** As redcc_leaves, for row number `row` of the rows at `base`, of `bytes` > 0 bytes each. */
 static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const void *base,
                                        redcc_int row, redcc_size bytes) {
     const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
@@ -234,8 +240,8 @@ static __inline__ int redcc_intersects(const char *first, redcc_size size, const
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/* Sets `inside` and `outside` for REDCC_SELECT. Not inlined, because it would be slow to compile at
- * each touch. */
+/* Sets `inside` and `outside` for REDCC_SELECT. Not inlined, because compiling a copy at each touch
+ * would be slow. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
@@ -323,8 +329,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 
 /* ---- bins ---- */
 
-/** The least number of records of `bytes` bytes (an even number) that exactly fill cache lines: at
- * most 32. It is 1 if records are empty. */
+/** The smallest number of records that exactly fill cache lines, if a record has `bytes` bytes (an
+ * even number): at most 32. It is 1 if records are empty. */
 #define REDCC_LINE_RECORDS(bytes)                                                                  \
     ((bytes) == 0                                                                                  \
          ? 1u                                                                                      \
@@ -332,8 +338,9 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                                               ? (redcc_u32)REDCC_CACHE_LINE                        \
                                               : ((bytes) & (0u - (bytes)))))
 
-/** The size of these lines; and the size of a bin's write-combining buffer, which has these lines
- * and one line of places. */
+/** REDCC_LINES_BYTES: the size of the cache lines that REDCC_LINE_RECORDS(bytes) records fill.
+ * REDCC_COMBINED_BYTES: the size of a bin's write-combining buffer, which has these lines and one
+ * line of places. */
 #define REDCC_LINES_BYTES(bytes) (REDCC_LINE_RECORDS(bytes) * (bytes))
 #define REDCC_COMBINED_BYTES(bytes) (REDCC_LINES_BYTES(bytes) + (redcc_u32)REDCC_CACHE_LINE)
 
@@ -349,8 +356,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                 &(row)[REDCC_PLACE_ROW((applied)->place[(k) + (applied)->ahead], tag_bits)]);      \
     } while (0)
 
-/** Are the chunk's updates made on private copies, by redcc_update? Otherwise redcc_push records
- * them. The answer is the same for all streams. It is yes only if each stream is exact. */
+/** Are the chunk's updates made on private copies, by redcc_update? If not, redcc_push records
+ * them. The answer is the same for all streams, and is yes only if each stream is exact. */
 #define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
 /** Writes `bytes` bytes, which are whole cache lines. Uses non-temporal stores on x86-64. */
@@ -367,7 +374,7 @@ REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes
 #endif
 }
 
-/** Prefetches a cache line that will be written soon. */
+/** Prefetches a cache line that is about to be written. */
 REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #if defined(__x86_64__) && defined(__GNUC__)
     __asm__ volatile("prefetchw %0" : : "m"(*(const char *)address));
@@ -376,8 +383,8 @@ REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #endif
 }
 
-/** Replaces an update if REDCC_ARE_COPIED: updates the thread's private copy immediately. Otherwise
- * redcc_push replaces it. */
+/** Replaces an update if REDCC_ARE_COPIED: immediately updates the thread's private copy. If the
+ * copy does not contain the row, only records the row for the next attempt. */
 REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                                redcc_u32 tag, const void *record) {
     const redcc_size into = (redcc_size)row - (redcc_size)bins->first;
@@ -400,8 +407,8 @@ REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *strea
     stream->apply(&one);
 }
 
-/* Appends a record to the bin's write-combining lines, which are written to memory once they are
- * full. Returns the number of the next record. */
+/* Appends a record to the bin's write-combining buffer. Cache lines of the buffer are written to
+ * memory once they are full. Returns the number of the bin's next record. */
 REDCC_INLINE redcc_u32 redcc_push_combined(const redcc_bins *bins, redcc_size bin, redcc_u32 number,
                                            redcc_u16 place, const void *record, redcc_u32 bytes) {
     const redcc_u32 records = REDCC_LINE_RECORDS(bytes);
@@ -432,9 +439,9 @@ REDCC_INLINE redcc_u32 redcc_push_direct(const redcc_bins *bins, redcc_u32 numbe
 }
 
 /**
- * Replaces an update: appends a record of update number `tag` of row number `row` (counted in rows
- * of the stream's arrays from their bases) with the operands *record (stream->record bytes).
- * `stream` is the descriptor's own entry, so that the compiler sees its fields.
+ * Replaces an update: appends a record of update number `tag` of row number `row`, with the
+ * operands *record (stream->record bytes). Rows are counted from the bases of the stream's arrays.
+ * `stream` points directly into the loop's description, so that the compiler knows its fields.
  */
 REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                              redcc_u32 tag, const void *record) {
@@ -457,15 +464,17 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
     bins->cursor[bin] = number;
 }
 
-/** The address that row 0 would have in the private copy, which begins at row bins->first. */
+/** The address that row 0 of the array would have, if the private copy, which begins at row
+ * bins->first, contained it. */
 REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream,
                                    redcc_u32 part) {
     return (void *)((redcc_size)bins->copy[part] -
                     (redcc_size)bins->first * (redcc_size)stream->rows[part]);
 }
 
-/** REDCC_BINNED if the compiler always rounds contributions to their types, else 0. Records hold
- * rounded contributions, so binning would otherwise change results. */
+/** REDCC_BINNED if the compiler always rounds contributions to their types, else 0. Records contain
+ * rounded contributions. So without that rounding in the original loop, binning would change
+ * results. */
 #if (defined(__FLT_EVAL_METHOD__) && !REDCC_EVALUATES_IN_TYPE) ||                                  \
     (defined(__i386__) && !defined(__SSE2_MATH__))
 #define REDCC_BINS_FLAG 0

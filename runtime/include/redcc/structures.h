@@ -42,8 +42,8 @@ typedef enum redcc_type {
     REDCC_LONG_DOUBLE,
     REDCC_FLOAT_COMPLEX,
     REDCC_DOUBLE_COMPLEX,
-    REDCC_OTHER_TYPE /**< any other type: no private copies are possible, so that only methods
-                        without them apply */
+    REDCC_OTHER_TYPE /**< any other type: private copies are impossible, so only methods without
+                        private copies apply */
 } redcc_type;
 
 /** How the result of the parallel loop may differ from that of the sequential loop. */
@@ -56,25 +56,25 @@ typedef enum redcc_order {
 /** One reduction array of a loop. */
 typedef struct redcc_array {
     const char *name;    /**< as the user wrote it: "b", "A->value" */
-    redcc_u32 operation; /**< a redcc_operator; stored in 32 bits, because -fshort-enums changes the
-                          * size of enumerations */
+    redcc_u32 operation; /**< a redcc_operator; stored in 32 bits, because the option -fshort-enums
+                            changes the size of enumerations */
     redcc_u32 type;      /**< a redcc_type */
     redcc_u32 element;   /**< bytes of a scalar element */
-    redcc_u32 unit; /**< bytes of a row b[i], or of an element if there are no rows: a touch covers
+    redcc_u32 unit; /**< bytes of a row b[i], or of an element if there are no rows. A touch covers
                        whole units, and each unit has one owner */
-    redcc_word limit; /**< for REDCC_SATURATING: the limit, a value of the type above 0 */
+    redcc_word limit; /**< for REDCC_SATURATING: the limit, a value of the element's type above 0 */
 } redcc_array;
 
-/** An object that the loop reads. If it overlaps a reduction array, the loop must not run in
- *  parallel. */
+/** An object that the loop reads. Unless `flags` allow it, the loop must not run in parallel if the
+ * object overlaps a reduction array. */
 typedef struct redcc_source {
     const char *name;
     int flags; /**< a sum of the bits below */
 } redcc_source;
 
 enum {
-    /** The source's contents determine which elements are touched. A plan is reused only while they
-     * are unchanged. */
+    /** The source's contents determine which elements are touched. A plan is reused only while
+     * these contents are unchanged. */
     REDCC_IS_SUBSCRIPT = 1,
     /** A scalar in memory to which the loop adds. It must not overlap an array of the loop, another
      * scalar with this bit, or a source with REDCC_MAY_OVERLAP_SCALARS. */
@@ -85,18 +85,18 @@ enum {
      * (another member of their structures). It may overlap only scalars. */
     REDCC_OVERLAPS_NO_ARRAY = 8
 };
-/** Elements that only one iteration touches are described as scalars, too (REDCC_IS_SCALAR). This
- * value, added to the flags, identifies their base pointer. Two such sources with the same base are
- * disjoint. */
+/** Elements that only one iteration touches are also described as scalars (REDCC_IS_SCALAR). This
+ * value, added to the flags, identifies the pointer through which they are reached. Two such
+ * sources with the same redcc_base are disjoint. */
 #define REDCC_SCALAR_BASE(redcc_base) ((redcc_base)*256)
 
 /** The address of any function. */
 typedef void (*redcc_code)(void);
 
-/** Describes a function's definition; emitted in the object that defines it. The digest depends
- * only on the definition. `own` is the address of this definition, even if calls of the name are
- * linked to another definition. A file that redcc-cc compiles without redcc's headers declares the
- * structure itself (tool/redcc/records.c). */
+/** Describes a function's definition; emitted in the object that defines the function. The digest
+ * depends only on the definition. `own` is the address of this definition, even if calls of the
+ * function are linked to another definition. redcc-cc compiles some files without redcc's headers;
+ * such a file declares the structure itself (tool/redcc/records.c). */
 typedef struct redcc_record {
     const char *name;
     redcc_u32 digest[2];
@@ -117,8 +117,8 @@ typedef struct redcc_expectation {
     redcc_u32 digest[2];
 } redcc_expectation;
 
-/** The functions that an object's loops call, and the definitions on which the translation relies.
- */
+/** The functions that an object's loops call, and the definitions of these functions on which the
+ * translation relies. */
 typedef struct redcc_linkage {
     const redcc_callee *called;
     redcc_size count;
@@ -132,8 +132,8 @@ typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void
 
 enum {
     /** The subscripts depend only on the key, the trip count and the sources marked
-     * REDCC_IS_SUBSCRIPT, so that a plan may be reused while these are unchanged. The sources are
-     * listed in the order in which the slice reads them. Without the flag every execution inspects
+     * REDCC_IS_SUBSCRIPT, so a plan may be reused while these are unchanged. The sources are listed
+     * in the order in which the slice reads them. Without this flag every execution inspects
      * again. */
     REDCC_VERIFIABLE = 1,
     /** The order was named explicitly at translation, not by default. */
@@ -143,7 +143,7 @@ enum {
     REDCC_ORDER_NEEDED = 4,
     /** Iterations that touch no element must be executed, too. */
     REDCC_EVERY_ITERATION = 8,
-    /** The descriptor is the first member of a redcc_binned. */
+    /** This redcc_loop is the first member of a redcc_binned. */
     REDCC_BINNED = 16,
     /** The loop's executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
@@ -152,22 +152,22 @@ enum {
     REDCC_LANES_UNIT = 64,
     /** The vector form does not need AVX2. */
     REDCC_LANES_ANYWHERE = 1024,
-    /** The slice may read through values that the loop has not written yet, and so read invalid
-     * addresses. Therefore one thread first records all iterations in order, before the inspection.
-     * If an iteration would update an address in a range of `known`, worker->last becomes 0 and the
-     * slice must return immediately. */
+    /** The slice may read values that the loop has not written yet, and so use invalid addresses.
+     * Therefore one thread first records all iterations in order, before the inspection. If an
+     * iteration would update an address in a range of `known`, worker->last becomes 0 and the slice
+     * must return immediately. */
     REDCC_DRY_RUN = 2048,
-    /** As REDCC_DRY_RUN; the dry run also ends if an iteration would update an address that was
+    /** As REDCC_DRY_RUN, but the dry run also ends if an iteration would update an address that was
      * recorded as read (redcc_is_over). */
     REDCC_DRY_RUN_OF_READS = 4096,
-    /** Replaces REDCC_PREFETCHES: the iterations are so light that prefetching pays only if their
-     *  accesses are irregular. */
+    /** Replaces REDCC_PREFETCHES: the iterations are so short that prefetching pays only if their
+     * accesses are irregular. */
     REDCC_LIGHT = 8192,
     /** The loop's executor classifies iterations by the rows they touch when redcc_next returns
      * REDCC_SELECT. */
     REDCC_SELECTS = 16384,
-    /** Iterations contain no loops or calls, so that a few iterations are not worth a call of the
-     * runtime. */
+    /** Iterations contain no loops or calls, so a small number of iterations is not worth a call of
+     * the runtime. */
     REDCC_SHORT = 32768,
     /** The slice is written by hand: REDCC_VALIDATE checks that it names all updated rows. */
     REDCC_BY_HAND = 65536,
@@ -191,27 +191,27 @@ enum {
     /** redcc_attempt.sections has the section of each array that OpenMP's clause `reduction` names.
      * All updates are inside it. */
     REDCC_SECTIONED = 16777216,
-    /** An update might change a value that the executor reads before the loop (the bound of its
-     * counter, the copy of a variable). Or it might change an element that is stored after the
-     * loop. So no update may be made, not even in sequential order, before it is known that no
-     * update does so. */
+    /** An update might change a value that the executor reads before the loop, such as a bound of
+     * the counter. Or it might change an element that is stored after the loop. So no update may be
+     * made, not even in sequential order, before it is known that no update does so. */
     REDCC_WHOLE = 33554432,
-    /** Iterations are heavy, so the first ones may be executed in order before the loop is
-     * inspected. The others are executed as the same loop with a later first iteration. */
+    /** Iterations are long, so the first ones may be executed in order before the loop is
+     * inspected. The remaining iterations are then executed as the same loop with a later first
+     * iteration. */
     REDCC_BEGINS = 67108864,
     /** The slice records the rows of inner loops as blocks, so that an inspection is short even if
-     * iterations are heavy. */
+     * iterations are long. */
     REDCC_BLOCKS = 134217728
 };
 
 enum {
-    /** A result of redcc_next: the class of each iteration first, first + 1, ... < last must be
-     * written to the bytes at `entry` (at most REDCC_SELECTED of them) before the next call.
-     * `window` is the range that the thread owns. */
+    /** Result of redcc_next. Before the next call, the caller must write the class of each
+     * iteration from `first` to before `last` (at most REDCC_SELECTED iterations) to the bytes at
+     * `entry`. `window` is the range that the thread owns. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
-    /** A result of redcc_next: the thread must execute `variant.tile`, of at most REDCC_TILE_ROWS
-     *  iterations. */
+    /** Result of redcc_next: the thread must execute the tile `variant.tile`, which has at most
+     * REDCC_TILE_ROWS outer iterations. */
     REDCC_TILE = 3,
     REDCC_TILE_ROWS = 256,
     /** The class of an iteration is a sum of these bits. OWN: the iteration touches an element that
@@ -221,8 +221,9 @@ enum {
     /** This thread is the leader of the threads that execute the iteration: it owns the leading row
      *  (redcc_probe_first). */
     REDCC_CLASS_LEADS = 4,
-    /** Results of redcc_bins_next. 0: no chunks are left. TO_PUSH: a chunk whose updates must be
-     * pushed. TO_EXECUTE: call redcc_next until it returns 0, then redcc_bins_next again. */
+    /** Results of redcc_bins_next. REDCC_TO_PUSH: a chunk whose updates must be pushed.
+     * REDCC_TO_EXECUTE: call redcc_next until it returns 0, then redcc_bins_next again. 0: no
+     * chunks are left. */
     REDCC_TO_PUSH = 1,
     REDCC_TO_EXECUTE = 2
 };
@@ -247,10 +248,9 @@ typedef struct redcc_loop {
 } redcc_loop;
 
 /** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
- * inspection. Then redcc_read records the addresses, and `first` is the pointer to which they are
- * relative when a plan is reused. first == 0: there is no such pointer, or the addresses lie in
- * several objects. For a kept plan, all bytes between the first and the last one read are compared.
- */
+ * inspection. Then redcc_read records the addresses. When a plan is reused, they are relative to
+ * `first`; first == 0 means that there is no such pointer, or that the addresses lie in several
+ * objects. To reuse a plan, all bytes between the first and the last one read are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -266,7 +266,7 @@ typedef struct redcc_call {
     const struct redcc_calls *calls; /**< functions that the inline functions call */
 } redcc_call;
 
-/** Consecutive iterations of a chunk, relative to its origin. */
+/** Consecutive iterations of a chunk. `begin` is relative to the chunk's origin. */
 typedef struct redcc_iterations {
     redcc_u32 begin;
     redcc_u32 count_and_check; /**< 2 * count + (each write must test the owner ? 1 : 0) */
@@ -284,7 +284,7 @@ typedef struct redcc_owner {
     redcc_word reciprocal; /* replaces the division by `unit` (redcc_quotient); 0: divide */
     redcc_u32 self;
     redcc_u32 unit;          /* with a map: bytes of a unit */
-    struct redcc_hook *hook; /* not 0: the hook decides about each update, and the range is empty */
+    struct redcc_hook *hook; /* not 0: the hook decides about each update, and `size` is 0 */
 } redcc_owner;
 
 /** An address recorded by the inspector, or (array == REDCC_END_OF_ITERATION) the end of an
@@ -298,20 +298,21 @@ typedef struct redcc_entry {
 #define REDCC_END_OF_ITERATION 0xffffffffu
 
 /** After this many consecutive iterations within the owned range, the next iterations are probed
- * (redcc_is_settled). The number is large enough that hardly any iteration is inspected twice where
- * owners alternate. */
+ * (redcc_is_settled). If owners alternate, so many in a row are rare, and hardly any iteration is
+ * inspected twice. */
 #define REDCC_SETTLED 8
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
-/** A tile: a part of a loop over pairs. It has the outer iterations `row` to before `row_end`. Of
- * their inner iterations, it has those whose counter is `column` to before `column_end` steps after
- * the loop's first value. A thread executes all tiles of a band of rows one after the other. */
+/** A tile: a part of a loop over pairs. It has the outer iterations from `row` to before `row_end`.
+ * Of their inner iterations, it has those whose counter is at least `column` and less than
+ * `column_end` steps after the loop's first value. A band is the tiles of the same rows; a thread
+ * executes them one after the other. */
 typedef struct redcc_tile {
     redcc_int row, row_end;
     redcc_int column, column_end;
     int is_first; /**< it is the first tile of its rows */
-    int is_last;  /**< it is the last one, with all inner iterations from `column` on */
+    int is_last; /**< it is the last tile of its rows, with all inner iterations from `column` on */
 } redcc_tile;
 
 /** How a chunk is executed; it does not affect the result. */
@@ -323,7 +324,7 @@ typedef struct redcc_variant {
     const redcc_tile *tile; /**< after REDCC_TILE: the tile to execute */
 } redcc_variant;
 
-/** One thread's part in an execution; lives on that thread's stack. */
+/** One thread's part in an execution. The object is on that thread's stack. */
 typedef struct redcc_worker {
     redcc_call *call;
     /* set by redcc_inspect: record the addresses of iterations first, first + stride, ... < last */
@@ -332,12 +333,12 @@ typedef struct redcc_worker {
     redcc_int stride;
     redcc_entry *entry; /* the next free entry */
     redcc_entry *entry_end;
-    const redcc_owner *window; /* for each array: the range of the current owner. A touch within it
-                                  makes no entry */
+    const redcc_owner *window; /* for each array, the range of the current owner. A touch within the
+                                  range makes no entry */
     int inside;                /* the current iteration has a touch within the range */
     int outside;               /* the current iteration has a touch that made an entry */
-    redcc_int alike; /* number of consecutive iterations within the range since the last flush;
-                        negative in a dry run */
+    redcc_int alike; /* number of consecutive iterations, since the last flush, that touched only
+                        the range; negative in a dry run */
     redcc_extent
         *sources; /* this thread's copies of the sources' ranges; indexed as redcc_loop.sources */
     /* set by redcc_next: the chunk */
@@ -345,8 +346,8 @@ typedef struct redcc_worker {
     const redcc_iterations *run;
     const redcc_iterations *run_end;
     void *const *base;        /* for each array: the base to write to (perhaps of a copy) */
-    const redcc_owner *owner; /* for each array: its elements that the thread owns; in a dry run,
-                                 for each source: a range found disjoint from all updates */
+    const redcc_owner *owner; /* for each array, its elements that the thread owns; in a dry run,
+                                 for each source, a range found disjoint from all updates */
     void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_variant variant; /* set by redcc_next */
@@ -358,11 +359,10 @@ typedef struct redcc_worker {
 typedef unsigned short redcc_u16;
 
 enum {
-    /** Maximum number of arrays that one record updates, all at one subscript. */
+    /** Maximum number of arrays that one record updates. All are updated at the same subscript. */
     REDCC_STREAM_ARRAYS = 4,
-    /** Number of bits of a place, which identifies the update of a record. Its low bits have the
-     * row's number within the bin; the bits above, the tag, have the number of the update in the
-     * body. */
+    /** Number of bits of a record's place. The low bits of a place are the row's number within the
+     * bin. The bits above are the tag, the number of the update in the body. */
     REDCC_PLACE_BITS = 16,
     REDCC_MOST_TAG_BITS = 8,
     REDCC_BLOCK_RECORDS = 1024, /**< number of records in a contiguous block */
@@ -373,7 +373,7 @@ enum {
 
 /** Records that an apply function is to apply, in this order. */
 typedef struct redcc_applied {
-    void *const *rows;      /**< for each array of the stream, its row at place 0 */
+    void *const *rows; /**< for each array of the stream, the address of the row whose place is 0 */
     const redcc_u16 *place; /**< [count + ahead] the place of each record */
     const void *records;    /**< [count] */
     redcc_size count;
@@ -385,15 +385,17 @@ typedef struct redcc_applied {
 enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 
 /** A stream: updates that must be applied in order. These are all updates of an array, or of
- * several arrays at one subscript. */
+ * several arrays that are updated at one subscript. */
 typedef struct redcc_stream {
-    /** Applies records by the statements of the loop's updates. Writes only to the rows. */
+    /** Applies records by executing the statements of the loop's updates. Writes only to the
+     * rows. */
     void (*apply)(const redcc_applied *applied);
     redcc_u32 array_count;                 /**< 1 to REDCC_STREAM_ARRAYS */
     redcc_u32 arrays[REDCC_STREAM_ARRAYS]; /**< their indices in the loop's arrays; no array is in
                                               two streams */
     redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< for each array, the bytes of a row: its `unit` */
-    redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
+    redcc_u32 record; /**< bytes of a record, an even number; 0: records are empty, because the
+                         contribution is a constant */
     redcc_u32 tag_bits;
     int exact; /**< REDCC_STREAM_EXACT: all updates use the array's operator on integers, so that
                   any order and private copies are possible. REDCC_STREAM_SPANS: a record covers
@@ -412,18 +414,20 @@ struct redcc_bin_buffer;
 enum { REDCC_PAGE = 4096 }; /* in bytes; the system's pages are at least as large */
 #define REDCC_NO_PAGE (~(redcc_size)0)
 
-/** One thread's bins of one stream. Constant while a chunk is executed, so that generated code may
- * copy it. */
+/** One thread's bins of one stream. Its fields do not change while a chunk is executed, so
+ * generated code may copy it. */
 typedef struct redcc_bins {
-    redcc_int first; /* row at place 0 of bin 0 */
-    redcc_size
-        span; /* number of rows in the bins; 0: there are no bins yet, and rows are only counted */
+    redcc_int first;   /* row at place 0 of bin 0 */
+    redcc_size span;   /* number of rows in the bins; 0: there are no bins yet, and redcc_push only
+                          reports its row */
     redcc_u32 shift;   /* (row - first) >> shift is the row's bin */
     redcc_u32 *cursor; /* for each bin: the number of its next record */
     char *records;     /* indexed by record number */
     redcc_u16 *places; /* indexed by record number */
-    char *lines; /* write combining: for each bin, the cache lines that are being filled; or 0 */
-    char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
+    char *lines; /* write combining: for each bin, the cache lines that are being filled; 0: no
+                    write combining */
+    char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; copy[0]
+                                        is 0 if there are none */
     const void *operands;
     struct redcc_bin_buffer *buffer;
     redcc_size
@@ -445,8 +449,8 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
-    /** With tiles: await_band is called when the thread has executed its band of rows; end_band,
-     * when the band's operands were added. */
+    /** If the loop is executed by tiles: await_band is called when the thread has executed its band
+     * of rows; end_band is called after the thread has added the band's operands. */
     void (*await_band)(redcc_worker *worker);
     const redcc_series_part *(*part_of)(const redcc_series *series, redcc_int k);
     void (*end_band)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
@@ -454,8 +458,8 @@ typedef struct redcc_series_calls {
     void (*release)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
-/** Functions of the library for bins: for elements behind pointers, and for inner loops over rows.
- */
+/** Functions of the library for bins. is_readable is for elements reached through pointers;
+ * push_span is for inner loops over rows. */
 typedef struct redcc_behind_calls {
     /** Is a pointer at this address readable? If so, sets *page to the number of its page. */
     int (*is_readable)(redcc_size *page, const void *address);
@@ -480,9 +484,11 @@ typedef struct redcc_before_calls {
      * loop ends? */
     int (*is_alone)(redcc_loop *loop);
     /** May pointers that the loop reads only under conditions be loaded before the loop? 0: not in
-     * this execution, because such loads would cost too much of a loop executed this often. */
+     * this execution, because such loads would cost too much time in a loop that is executed this
+     * often. *last is the time of the last call, and is updated. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
-    /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
+    /** Copies `bytes` bytes from `from` to `to` and returns 1; returns 0 if they are not readable.
+     * Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
     const redcc_behind_calls *behind;
     /** Does REDCC_ORDER or REDCC_METHOD require the sequential loop's bits? */
@@ -500,7 +506,8 @@ typedef struct redcc_progression {
 
 struct redcc_ahead_calls;
 
-/** An iteration a given distance ahead of the one that is executed, to prefetch what it touches. */
+/** The iteration whose rows are prefetched: a fixed distance ahead of the one that the worker
+ * executes. */
 typedef struct redcc_ahead {
     redcc_int k;
     redcc_int end; /* end of the run that contains `k` */
@@ -516,7 +523,7 @@ typedef struct redcc_ahead_calls {
     void (*begin)(redcc_ahead *it, const redcc_worker *worker, int distance);
     /** Advances to the next run. Returns 0 if none is left. */
     int (*next_run)(redcc_ahead *it);
-    /** Copies progressions, except those that an earlier progression covers because both are
+    /** Copies progressions. Leaves out a progression if an earlier one covers it, because both are
      * members of the same structures. */
     void (*rows)(redcc_progression *to, const redcc_progression *from, int count);
     /** Prefetches a row longer than a cache line. */
@@ -526,10 +533,10 @@ typedef struct redcc_ahead_calls {
 struct redcc_kept_row;
 
 /**
- * Functions that inline functions call while a loop is inspected and executed. A thread reaches the
- * table through its worker and its bins, so that an object with loops refers to none of these
- * functions by name. Later versions append functions. redcc/runtime.h and redcc/bins.h describe the
- * functions without a comment.
+ * Functions that inline functions call while a loop is inspected and executed. A thread finds the
+ * table through its worker and its bins, so an object with loops refers to none of these functions
+ * by name. Later versions append functions to the table. Functions without a comment here are
+ * described in redcc/runtime.h and redcc/bins.h.
  */
 typedef struct redcc_calls {
     redcc_u32 version; /**< the library's REDCC_INTERFACE */
@@ -551,7 +558,7 @@ typedef struct redcc_calls {
     void (*fill)(const redcc_array *array, void *values, redcc_size bytes);
     /** Applies scratch rows to their arrays in order, under locks or as compensated sums. */
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
-    /** Ends the program with a message: a rule of redcc/parallel.h is violated. */
+    /** Ends the program with a message that names the violated rule of redcc/parallel.h. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
     const redcc_series_calls *series;
     const redcc_before_calls *before;

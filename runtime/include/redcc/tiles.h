@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over pairs. Their iterations are executed by tiles: the body's inner loop is clipped to a
- * range of columns. This file also counts the inner iterations before a row. loop.h includes it.
+ * Loops over pairs: the counter of the inner loop is above (or below) that of the outer one. Their
+ * iterations are executed by tiles: a function executes the part of an outer iteration whose inner
+ * counter is in a range of columns. This file also counts the inner iterations before an outer one.
+ * loop.h includes it.
  */
 #ifndef REDCC_TILES_H
 #define REDCC_TILES_H
 
 #include <redcc/entry.h>
 
-/** Parameters of a function that executes one outer iteration of a tile: its inner iterations from
- * column redcc__from to before redcc__to. */
+/** Parameters of a function that executes one outer iteration of a tile: those of its inner
+ * iterations whose counter is at least redcc__from and less than redcc__to. */
 #define REDCC_TILE_PARAMETERS                                                                      \
     redcc_worker *const redcc__worker __attribute__((__unused__)),                                 \
         const redcc_tile *const redcc__tile __attribute__((__unused__)),                           \
@@ -24,8 +26,8 @@
     (redcc__to - 1 < (redcc_int)(redcc_bound) ? (redcc_type)(redcc__to - 1)                        \
                                               : (redcc_type)(redcc_bound))
 
-/** Precedes a chunk's declarations: if a tile was handed out, executes it. redcc_step is the step
- * of both counters. */
+/** Precedes a chunk's declarations: if redcc_next handed out a tile, executes it. Both counters
+ * have the step redcc_step. */
 #define REDCC_TILED(redcc_step, redcc_call_of_tile, redcc_after_tile)                              \
     if (__builtin_expect(redcc__chunk_kind == REDCC_TILE, 0)) {                                    \
         const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
@@ -52,7 +54,7 @@ REDCC_INLINE redcc_word redcc_inner_trips_above(redcc_int first, redcc_int k) {
     return rows * (redcc_word)first - redcc_pairs(rows);
 }
 
-/** As redcc_inner_trips_above, where row r has first + r inner iterations, or none if this is
+/** As redcc_inner_trips_above, if row r has first + r inner iterations, or none if this is
  * negative. */
 REDCC_INLINE redcc_word redcc_inner_trips_below(redcc_int first, redcc_int k) {
     const redcc_int empty = first < 0 ? -first : 0;

@@ -24,8 +24,8 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* Does an offset in the mapped object identify memory uniquely? Not for devices, whose drivers may
- * map any memory at an offset. */
+/* Does an offset in the mapped object identify memory uniquely? Not for devices: a driver may map
+ * any memory at an offset. */
 static bool is_plain(const struct mapping *mapping) {
     const char *const name = mapping->name;
     if (mapping->object.inode == 0)
@@ -44,8 +44,8 @@ static uintptr_t lower(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* Adds the part of `written` that is in this mapping. False if the mapped object is unknown, or if
- * there are too many parts. */
+/* Adds the part of `written` that is in this mapping. Returns false if the mapped object is
+ * unknown, or if there is no room for another part. */
 static bool add_part(struct parts *parts, const struct mapping *mapping, struct range written) {
     if (!is_plain(mapping) || parts->count == PARTS)
         return false;
@@ -56,8 +56,9 @@ static bool add_part(struct parts *parts, const struct mapping *mapping, struct 
     return true;
 }
 
-/* Adds the parts of `written` that lie in shared mappings. Most arrays lie in one mapping, so that
- * a single query suffices. False if the mappings are unknown or there are too many parts. */
+/* Adds the parts of `written` that lie in writable shared mappings. Most arrays lie in one mapping,
+ * so a single query suffices. Returns false if the mappings are unknown or there are too many
+ * parts. */
 static bool find_parts(struct maps *maps, struct range written, struct parts *parts) {
     enum which_maps which = MAPS_ALL;
     struct mapping mapping;
@@ -84,8 +85,8 @@ static bool is_touched(const struct touches *touches, struct range range) {
     return false;
 }
 
-/* The addresses at which this mapping contains bytes of the part. The range is empty if it contains
- * none, or if they are at the part's own addresses. */
+/* The addresses at which this mapping shows bytes of the part. The range is empty if the mapping
+ * shows none of them, or shows them at the part's own addresses. */
 static struct range image_of(const struct part *part, const struct mapping *mapping) {
     const uint64_t part_end = part->offset + redcc_range_size(part->place);
     const uint64_t mapping_end = mapping->offset + redcc_range_size(mapping->place);
@@ -113,8 +114,8 @@ static bool have_images(struct maps *maps, const struct touches *touches,
     return answer != MAPS_END;
 }
 
-/* Are any of the highest 8 address bits set? Processors may ignore these bits (64-bit ARM always
- * does, some x86 processors do in a special mode). Then one byte has several addresses. */
+/* Is one of the highest 8 bits of an address set? Processors may ignore these bits: 64-bit ARM
+ * always does, some x86 processors do in a special mode. Then one byte has several addresses. */
 static bool are_tagged(const struct range *ranges, uint32_t count) {
 #if UINTPTR_MAX > UINT32_MAX
     for (uint32_t r = 0; r < count; r++)

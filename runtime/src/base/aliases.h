@@ -17,13 +17,14 @@ struct touches {
     uint32_t written_count;
     const struct range *read; /* [read_count] */
     uint32_t read_count;
-    const redcc_loop *loop; /* the loop that reads these sources; NULL: none */
+    const redcc_loop *loop; /* the loop that reads these sources; NULL if no loop does */
 };
 
-/** May the loop also touch written memory at another address? Also true if that is unknown. Takes a
- * few nanoseconds if no object of the process refers to a function that maps memory. Otherwise it
- * reads the process's mappings in each execution, because the kernel does not report new mappings.
- * A thread that maps the written memory again during the loop has a data race. Thread-safe. */
+/** May the loop also touch the written memory at other addresses? Also true if that is unknown.
+ * Takes a few nanoseconds if no object of the process refers to a function that maps memory.
+ * Otherwise it reads the process's mappings in each execution, because the kernel does not report
+ * new mappings. (It does not consider threads that map the written memory again during the loop:
+ * that is a data race.) Thread-safe. */
 bool redcc_may_be_aliased(struct touches touches);
 
 /** Does the process have writable memory with several addresses? Also true if that is unknown.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A sense-reversing barrier for the threads of a region, whatever library created them. The last
- * thread to arrive may run a serial section before the other threads continue.
+ * A sense-reversing barrier for the threads of a region, whichever library created them. The last
+ * thread to arrive may execute a serial section before the other threads continue.
  */
 #ifndef REDCC_BARRIER_H
 #define REDCC_BARRIER_H
@@ -17,9 +17,9 @@ struct barrier {
     atomic_int asleep;             /* number of sleeping threads */
 };
 
-/** Of `threads` callers, the last one gets true immediately and must call redcc_barrier_release.
- * The others get false after that call. They then see all writes that any thread made before it
- * arrived, and all writes of the last thread before the release. */
+/** Called by each of `threads` threads. The last one to call gets true immediately and must call
+ * redcc_barrier_release. The others get false after that release. They then see all writes that any
+ * thread made before it arrived, and all writes that the last thread made before the release. */
 bool redcc_barrier_arrive(struct barrier *barrier, int threads);
 
 /** Releases the waiting threads. */

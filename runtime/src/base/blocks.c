@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Block sizes fall into classes, four per power of two, so that freed blocks can be reused. Small
- * blocks are cut from pieces of memory that are never unmapped. Large blocks are separate mappings;
- * some of them are cached, which avoids new page faults. If the lock is unavailable, as in a signal
- * handler that interrupted its holder, a block is a separate mapping.
+ * An allocator. Block sizes fall into classes, four per power of two, so that freed blocks can be
+ * reused. Small blocks are cut from pieces of memory that are never unmapped. Large blocks are
+ * separate mappings; some of them are cached, which avoids new page faults. If the lock is
+ * unavailable, as in a signal handler that interrupted its holder, a block is a separate mapping.
  */
 #include "base/blocks.h"
 
@@ -48,8 +48,8 @@ static size_t whole_pages(size_t bytes) {
     return (bytes + page - 1) / page * page;
 }
 
-/* Cuts a small block from the piece. If the rest of the piece is too small, abandons it: this
- * wastes less than a sixteenth of the piece. */
+/* Cuts a small block from the piece. If the rest of the piece is too small for the block, abandons
+ * the rest: this wastes less than a sixteenth of the piece. */
 static void *cut(size_t bytes) {
     if (piece_left < bytes) {
         char *more = redcc_system_map(PIECE);

@@ -10,16 +10,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** Allocates at least *bytes bytes, at a multiple of 64; sets *bytes to the actual size, which is
- * needed to free the block. The block is not initialised. keep: a cached block may be used. NULL:
- * out of memory. */
+/** Allocates at least *bytes bytes, at a multiple of 64. Sets *bytes to the actual size, which is
+ * needed to free the block. The block is not initialised. If `keep` is set, the block may be one
+ * that was cached. NULL: out of memory. */
 void *redcc_block_alloc(size_t *bytes, bool keep);
 
-/** Frees a block of `bytes` bytes; keep: caches it if possible. */
+/** Frees a block of `bytes` bytes. If `keep` is set, the block may be cached. */
 void redcc_block_free(void *block, size_t bytes, bool keep);
 
-/** Must be called in a forked process. Another thread of the parent may have held the lock, so
- * memory that was free at the fork is not used again. */
+/** Must be called in a forked process. Another thread of the parent may have held the lock at the
+ * fork, so memory that was free then is not used again. */
 void redcc_blocks_forked(void);
 
 #endif

@@ -11,7 +11,8 @@
 
 struct method;
 
-/** The arguments of redcc_enter; the loop's state owns the arrays, except `sections`. */
+/** The arguments of redcc_enter. The loop's state owns copies of the arrays, except of
+ * `sections`. */
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
@@ -19,8 +20,8 @@ struct request {
     redcc_extent *known; /* [source_count] */
     redcc_word *key;     /* [key_count] */
     const redcc_extent
-        *sections; /* [array_count] the sections of the attempt, for an execution by shares without
-                      an inspection (choose/sections.h); otherwise NULL */
+        *sections; /* [array_count] the sections that OpenMP's clause names, if shares of them are
+                      executed without an inspection (choose/sections.h); otherwise NULL */
 };
 
 struct call {
@@ -28,8 +29,8 @@ struct call {
     /* The settings of this call. */
     const struct method *method; /* the named method; NULL: auto */
     int parameter;               /* the method's parameter */
-    bool in_bins; /* binning was named, or chosen for this call: there is no plan, and an inspection
-                     only with REDCC_BINS_CHECKED */
+    bool in_bins; /* binning was named, or chosen for this call. Then there is no plan, and an
+                     inspection only with REDCC_BINS_CHECKED */
     redcc_order order;
     bool compensated;
     bool validate;
@@ -43,8 +44,8 @@ struct call {
     int asked;           /* number of threads requested */
     int started;         /* how many of the requested threads must be started for this region */
     int threads;         /* number of threads in the region */
-    int planned; /* number of threads for which a plan would be built (more than `threads` if one
-                    thread takes a sample) */
+    int planned; /* number of threads for which a plan would be built; more than `threads` if a
+                    single thread takes a sample */
     struct float_control float_control; /* state of the thread that entered the loop */
     double entered;                     /* time of the entry in seconds */
     int error_before;                   /* errno of the thread that entered the loop */

@@ -36,8 +36,8 @@ extern int omp_get_thread_num(void) WEAK;
 redcc_crew *redcc_crew_new(void) {
     if (redcc_region_is_own() || !omp_get_level)
         return NULL;
-    redcc_memory_exempt(true); /* the limit must not prevent a crew, because without one the loop
-                                  may give other bits */
+    redcc_memory_exempt(true); /* the memory limit must not prevent a crew: without one the loop may
+                                  give other bits */
     struct redcc_crew *it = redcc_memory_alloc_zeroed(1, sizeof *it);
     redcc_memory_exempt(false);
     if (!it)

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A crew is the team of one of the program's own OpenMP regions, all of whose threads reach the
- * same loop (`omp for`). The first thread executes the loop. The other threads wait, and help to
- * execute the regions that the runtime opens for the loop, so that no more threads are needed.
+ * A crew is the team of one of the program's own OpenMP regions, if all threads of the team reach
+ * the same loop (`omp for`). The first thread executes the loop. The other threads wait, and help
+ * to execute the regions that the runtime opens for the loop. So these regions need no more
+ * threads.
  */
 #ifndef REDCC_BASE_CREW_H
 #define REDCC_BASE_CREW_H
@@ -23,16 +24,16 @@ void redcc_crew_arrive(void);
  * others get 1 when the loop has ended; the crew may not be used afterwards. */
 int redcc_crew_help(redcc_crew *crew);
 
-/** Called by the first thread after the loop: releases the other threads. The last thread to return
- * frees the crew. */
+/** Called by the first thread after the loop: releases the other threads. The crew is freed by the
+ * last thread that leaves redcc_crew_help or this function. */
 void redcc_crew_end(redcc_crew *crew);
 
-/** The number of threads of the crew that the calling thread leads in its current region; 0:
- * none. */
+/** The number of threads that may execute the calling thread's regions because it leads a crew; 0
+ * if it leads none. */
 int redcc_crew_threads(void);
 
-/** As redcc_region_run, but executed by `threads` threads of the crew: at least 2 and at most
- * redcc_crew_threads(). */
+/** As redcc_region_run, but the threads of the crew that the caller leads execute the region:
+ * `threads` of them, at least 2 and at most redcc_crew_threads(). */
 void redcc_crew_run(int threads, region_work *work, void *shared);
 
 #endif

@@ -2,10 +2,10 @@
 /**
  * Finds out which external functions the objects of the process refer to and define.
  *
- * In most programs signal handlers end only by returning. For these programs signals need not be
- * blocked during loops, which would cost a tenth of a short loop's time. References are found in
- * the dynamic symbol tables of the objects. A statically linked program has none, so its handlers
- * are assumed to leave by siglongjmp, too.
+ * In most programs signal handlers end only by returning. Then signals need not be blocked during
+ * loops, which would cost a tenth of a short loop's time. References to functions by which a
+ * handler could end otherwise are found in the dynamic symbol tables of the objects. A statically
+ * linked program has no such tables, so its handlers are assumed to leave by siglongjmp, too.
  */
 #include "base/escapes.h"
 
@@ -30,7 +30,7 @@ struct object {
 };
 
 /* Compares the first characters before it calls strcmp, because most of the thousands of names
- * differ there. */
+ * differ in their first characters. */
 static bool is_called(const char *name, const char *other) {
     return name[0] == other[0] && strcmp(name, other) == 0;
 }
@@ -69,8 +69,9 @@ static bool leaves(const char *name) {
     return is_one_of(name, names);
 }
 
-/* Functions by which a program maps memory. The C library and the linker also map memory for
- * themselves without such a reference, but never the same memory twice. */
+/* Is `name` a function by which a program maps memory, or that could give it such a function? The C
+ * library and the linker also map memory for themselves without such a reference, but never the
+ * same memory twice. */
 static bool maps(const char *name) {
     static const char *const names[] = {
         "mmap",    "mmap64", "__mmap",  "mremap", "__mremap", "shmat", "remap_file_pages",
@@ -79,14 +80,15 @@ static bool maps(const char *name) {
 }
 
 /* Does a library that defines this function belong to OpenMP? Such a library refers to some of the
- * functions above for internal purposes only. */
+ * functions above, but uses them only internally. */
 static bool is_openmp(const char *name) {
     static const char *const names[] = {"GOMP_parallel", "__kmpc_fork_call", NULL};
     return is_one_of(name, names);
 }
 
-/* Most addresses in the dynamic section have been relocated by now. In objects that cannot be
- * written, such as the kernel's, they are still relative. */
+/* Finds the object's symbols. Most addresses in the dynamic section have been relocated by now. In
+ * objects that cannot be written, such as the kernel's, they are still relative to the load
+ * address. */
 static struct object object_of(const struct link_map *map) {
     struct object object = {0};
     for (const Elf64_Dyn *entry = map->l_ld; entry && entry->d_tag != DT_NULL; entry++) {
@@ -108,8 +110,8 @@ static struct object object_of(const struct link_map *map) {
     return object;
 }
 
-/* Does the object refer to a function for which `is_meant` holds, and is it not OpenMP's library?
- * Also true if that is unknown. */
+/* Does the object refer to a function for which `is_meant` holds? Also true if that is unknown;
+ * false for OpenMP's library. */
 static bool refers(const struct link_map *map, bool (*is_meant)(const char *name)) {
     const struct object object = object_of(map);
     if (!object.end)
@@ -151,8 +153,8 @@ static int allocator_of(const struct link_map *map) {
     return defined;
 }
 
-/* Does the first object that defines free, which all other objects therefore call, lack one of the
- * functions for aligned memory? */
+/* All objects call the definition of free in the first object that has one. Does that object lack
+ * one of the functions for aligned memory? */
 static bool is_split(void) {
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         const int defined = allocator_of(map);
@@ -162,8 +164,8 @@ static bool is_split(void) {
     return false;
 }
 
-/* Does each object that defines __assert_fail, which a failing assertion calls, also define abort,
- * as the C library does? */
+/* A failing assertion calls __assert_fail. Does each object that defines this function also define
+ * abort, as the C library does? False if there is no such object. */
 static bool are_assertions_plain(void) {
     bool are_there = false;
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {

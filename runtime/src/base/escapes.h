@@ -6,23 +6,23 @@
 
 /** May a signal handler or a cancellation leave the function that it interrupts, or continue that
  * function in another process? False only if no object of the process refers to a function that
- * does this, or to one that could load more objects or functions. The answer of the first call is
- * cached. */
+ * does this, or to a function that could load more objects or functions. The result of the first
+ * call is cached. */
 bool redcc_may_escape(void);
 
 /** May the program map memory at several addresses? False only if no object of the process refers
- *  to a function that maps or attaches memory, or to one that could load more objects or functions.
- *  The answer of the first call is cached. */
+ * to a function that maps or attaches memory, or to a function that could load more objects or
+ * functions. The result of the first call is cached. */
 bool redcc_may_map(void);
 
-/** Does the program define free without the functions for aligned memory? gcc's OpenMP library
+/** Does the program define free, but not the functions for aligned memory? gcc's OpenMP library
  * allocates its teams by aligned_alloc or a similar function and releases them by free. It does so
- * after a region of one thread and when the number of threads changes. The answer of the first call
+ * after a region of one thread and when the number of threads changes. The result of the first call
  * is cached. */
 bool redcc_allocator_is_split(void);
 
-/** Does a failing assertion end the process without calling any other function of the program? This
- * is so if the C library reports it and SIGABRT has its default action. */
+/** Does a failing assertion end the process without calling another function of the program? True
+ * if the C library reports the failure and SIGABRT has its default action. */
 bool redcc_assertions_abort(void);
 
 #endif

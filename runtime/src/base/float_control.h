@@ -4,12 +4,13 @@
  *
  * - Floating point: the rounding direction, flushing of subnormal numbers, exceptions that trap.
  *   fenv.h has no names for most of these, and its functions need libm.
- * - Locale: it classifies characters and affects the reading of numbers. uselocale sets it per
- *   thread, and a thread keeps the tables of setlocale that it used first.
+ * - Locale: it affects how characters are classified and how numbers are read. uselocale sets a
+ *   thread's locale. Without it, a thread keeps the tables of the locale (setlocale) that it used
+ *   first.
  * - Memory: access rights by protection keys.
  *
- * The program may have changed this state since OpenMP's threads were created, but they must
- * compute the same results as the thread that entered the loop. On processors other than x86-64 and
+ * OpenMP's threads must compute the same results as the thread that entered the loop, but the
+ * program may have changed this state since they were created. On processors other than x86-64 and
  * 64-bit ARM each thread keeps its own floating-point state.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
@@ -55,8 +56,8 @@ static inline bool redcc_float_control_equal(struct float_control a, struct floa
     return a.vector == b.vector && a.x87 == b.x87;
 }
 
-/** Does a floating-point exception trap? A handler could then observe that exceptions occur in
- * another order than in the sequential loop. */
+/** Do floating-point exceptions trap? If so, a handler could observe that they occur in another
+ * order than in the sequential loop. */
 static inline bool redcc_float_traps(struct float_control own) {
 #if defined(__x86_64__)
     return (own.vector & 0x1f80) != 0x1f80 || (own.x87 & 0x3f) != 0x3f;
@@ -71,7 +72,7 @@ static inline bool redcc_float_traps(struct float_control own) {
 /** Sets the calling thread's state, except its sticky exception flags. */
 static inline void redcc_float_control_take(struct float_control wanted) {
     redcc_rights_set(wanted.rights);
-    redcc_use_locale(wanted.locale); /* even if it is the same, the tables may differ */
+    redcc_use_locale(wanted.locale); /* even if it is the same, its tables may differ */
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Detects fork by pthread_atfork handlers. _Fork and clone do not call these handlers. Their
- * children are detected by a page that the system clears in a child.
+ * Detects forked processes. pthread_atfork handlers detect fork. _Fork and clone do not call these
+ * handlers; their children are detected by a page that the system clears in a child.
  */
 #define _GNU_SOURCE /* for struct statx and MADV_WIPEONFORK */
 #include "base/forked.h"
@@ -23,8 +23,8 @@ static long process; /* if there is no such page: the id of the process register
 
 #if defined(__linux__)
 
-/* Counts the links of the directory that has one subdirectory per thread: it has a link to itself,
- * one from its parent, and one for each subdirectory. Without /proc, threads are assumed. */
+/* Has the process several threads? Its task directory has one subdirectory per thread. The number
+ * of the directory's links is 2 plus the number of subdirectories. Also true without /proc. */
 static bool has_threads(void) {
     struct statx tasks;
     return redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0 ||
@@ -89,15 +89,15 @@ static bool register_handlers(void) {
 }
 #endif
 
-/* Registers the handlers at program start, because the program may have parallel regions of its own
+/* Registers the handlers at program start, because the program may open parallel regions of its own
  * before its first loop. */
 __attribute__((constructor)) static void watch(void) {
     redcc_process_mark = redcc_wiped_page();
     begin_process(!register_handlers());
 }
 
-/* If the process is new, it was forked without the handlers, and the number of its threads at that
- * time is unknown. */
+/* If the process is new although no handler has run, the number of threads that its parent had at
+ * the fork is unknown. */
 void redcc_note_process(void) {
     if (redcc_process_mark ? atomic_load(redcc_process_mark) == 0
                            : redcc_system_process() != process)

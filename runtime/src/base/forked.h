@@ -1,26 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Detects processes made by fork, in which a parallel region may wait for threads that do not
- * exist.
- */
+/** Detects processes that were created by fork. In such a process a parallel region may wait for
+ * threads that do not exist. */
 #ifndef REDCC_FORKED_H
 #define REDCC_FORKED_H
 
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/** Did an ancestor of the process have several threads when it forked? The child has only the
- * thread that forked, but GCC's OpenMP would wait for the others. After _Fork or clone, which run
- * no fork handlers, the answer is yes. (A child of vfork, which shares its parent's memory, is not
- * detected: it may only call exec or _exit.) Must be called before the runtime's memory is used.
- * Thread-safe. */
+/** Did an ancestor of the process have several threads when it forked? A child has only the thread
+ * that forked, but GCC's OpenMP would wait for the others. After _Fork or clone, which call no fork
+ * handlers, always true. (A child of vfork shares its parent's memory and is not detected; it may
+ * only call exec or _exit.) Must be called before the runtime's memory is used. Thread-safe. */
 static inline bool redcc_is_forked(void);
 
 /** Returns a page of zeros that the system clears in a child process. NULL: the system does not
  * support this. */
 void *redcc_wiped_page(void);
 
-/* The first byte of such a page: 1 in a process that redcc_note_process has registered, and 0 in a
- * new process, because the system clears it. NULL: not supported. */
+/* The first byte of a page from redcc_wiped_page: 1 in a process that redcc_note_process has
+ * registered; 0 in a new process, because the system has cleared it. NULL: not supported. */
 extern atomic_char *redcc_process_mark;
 extern atomic_bool redcc_had_threads;
 

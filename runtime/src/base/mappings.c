@@ -66,9 +66,9 @@ static bool is_plain_device(const char *name) {
     return is_listed(name, plain);
 }
 
-/* May writes be tracked although there is a mapping with this name? True for anonymous mappings,
- * the system's own names, and files that are neither devices nor a library that may confine the
- * process later. */
+/* May writes be tracked if the process has a mapping with this name? True for anonymous mappings,
+ * for the system's own names, and for most files. False for devices, except plain ones, and for
+ * libseccomp, by which the process may be confined later. */
 static bool is_harmless(const char *name) {
     if (name[0] == '\0' || name[0] == '[')
         return true;
@@ -96,8 +96,8 @@ struct range redcc_mapping_of(uintptr_t address) {
     return found ? mapping.place : redcc_nowhere;
 }
 
-/* Checks one mapping and adds it to *found if it contains some of `pages`. False: it forbids
- * tracking. *covered is the address up to which `pages` are covered so far. */
+/* Checks one mapping, and adds it to *found if it contains some of `pages`. Returns false if the
+ * mapping forbids tracking. *covered is the address up to which `pages` are covered so far. */
 static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
                      uintptr_t *covered) {
     if (!is_harmless(mapping->name))
@@ -126,8 +126,8 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     return allowed && covered >= pages.end;
 }
 
-/* Is it certain that no memory is written, and no tracking is disturbed, through this descriptor?
- */
+/* Is it certain that no memory is written, and no tracking is disturbed, through this
+ * descriptor? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);

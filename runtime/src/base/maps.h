@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Reads the mappings of the process one by one from /proc/self/maps, proc_pid_maps(5). Linux 6.11
- * and later supports queries for single mappings (PROCMAP_QUERY), which take some microseconds for
- * any number of mappings. On other systems the text is read, which takes 1 to 2 microseconds per
- * mapping.
+ * Reads the memory mappings of the process one by one from /proc/self/maps, see proc_pid_maps(5).
+ * Linux 6.11 and later supports queries for single mappings (PROCMAP_QUERY), which take some
+ * microseconds for any number of mappings. On other systems the text is read, which takes 1 to 2
+ * microseconds per mapping.
  */
 #ifndef REDCC_MAPS_H
 #define REDCC_MAPS_H
@@ -11,10 +11,11 @@
 #include "base/lines.h"
 #include "base/range.h"
 
-/** The object that a mapping shows: a file, a System V segment, or anonymous shared memory. */
+/** The object that a mapping makes visible: a file, a System V segment, or anonymous shared
+ * memory. */
 struct object {
     uint64_t device;
-    uint64_t inode; /* 0: there is no object, and the memory belongs to the mapping */
+    uint64_t inode; /* 0: there is no object, and the memory is the mapping's own */
 };
 
 /** A mapping. */
@@ -54,7 +55,7 @@ extern bool redcc_maps_by_text;
 /** Opens the list. False: it cannot be opened. */
 bool redcc_maps_open(struct maps *maps);
 
-/** Stores the first selected mapping that ends after `from` in *found. */
+/** Stores the first mapping that `which` selects and that ends after `from` in *found. */
 enum maps_answer redcc_maps_next(struct maps *maps, uintptr_t from, enum which_maps which,
                                  struct mapping *found);
 

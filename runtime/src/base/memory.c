@@ -18,8 +18,8 @@ struct header {
     bool kept;    /* the memory may be cached when it is freed */
 };
 
-#if defined(__SANITIZE_ADDRESS__) /* allocates blocks separately, so that accesses beyond their    \
-                                     ends are detected */
+#if defined(__SANITIZE_ADDRESS__) /* each block is a separate allocation of the sanitizer's        \
+                                   * malloc, so that accesses beyond its end are detected */
 static void *block_alloc(size_t *bytes, bool keep) {
     (void)keep;
     return aligned_alloc(LINE, *bytes);

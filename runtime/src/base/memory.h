@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Allocates all memory of the runtime. It is counted, limited by REDCC_MEMORY_LIMIT, and tests can
- * make allocations fail. The memory never comes from the program's malloc (blocks.h), except under
- * AddressSanitizer. Every function is thread-safe.
+ * Allocates all memory of the runtime. Allocations are counted and limited by REDCC_MEMORY_LIMIT,
+ * and tests can make them fail. The memory never comes from the program's malloc (blocks.h), except
+ * under AddressSanitizer. Every function is thread-safe.
  */
 #ifndef REDCC_MEMORY_H
 #define REDCC_MEMORY_H
@@ -28,7 +28,8 @@ void *redcc_memory_resize(void *block, size_t bytes);
 /** Frees a block; NULL does nothing. */
 void redcc_memory_free(void *block);
 
-/** Must be called in a forked process: other threads of the parent may have been allocating. */
+/** Must be called in a forked process. At the fork, other threads of the parent may have been
+ * allocating. */
 void redcc_memory_forked(void);
 
 /** The number of bytes that a block occupies, including its header; 0 for NULL. */
@@ -37,8 +38,8 @@ size_t redcc_memory_size(const void *block);
 /** Limits the total memory to `bytes` from now on; 0: no limit. */
 void redcc_memory_limit(size_t bytes);
 
-/** Sets whether allocations of the calling thread are exempt from the limit. Memory other than
- * plans and copies is exempt, such as a loop's row in the report. */
+/** Sets whether allocations of the calling thread are exempt from the limit. The limit is meant for
+ * plans and copies; other memory, such as a loop's row in the report, is exempt. */
 void redcc_memory_exempt(bool owed);
 
 /** For tests: after `calls_from_now` more allocations, all fail. Negative: none fails. */

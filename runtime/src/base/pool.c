@@ -10,8 +10,8 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* The references to functions for threads are strong: weak ones would not link these functions into
- * a static program. */
+/* The references to functions for threads are strong: with weak references, these functions would
+ * not be linked into a static program. */
 
 #ifdef __GLIBC__
 
@@ -22,8 +22,8 @@ static void nothing(void *unused) {
 }
 
 /* Registers a thread destructor in this object, which keeps the object loaded until the thread
- * ends. The executable needs none, because it is never unloaded. A registration calls the program's
- * allocator, which may support only one thread (attack 32 of docs/soundness.md). */
+ * ends. Not needed in the executable, because it is never unloaded. A registration calls the
+ * program's allocator, which may support only one thread (attack 32 of docs/soundness.md). */
 static void stay_loaded(void) {
     if (!redcc_system_is_program())
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
@@ -124,8 +124,8 @@ static void wait_for_all(struct pool *it, int threads) {
 
 /* ---- the calling thread ---------------------------------------------------------------------- */
 
-/* Called when the owning thread ends. Does not wait for the pool's threads, which may still be
- * asleep. */
+/* Called when the owning thread ends: ends the pool's threads. Does not wait for them, because they
+ * may still be asleep. */
 static void end(void *given) {
     struct pool *it = given;
     pool = NULL;

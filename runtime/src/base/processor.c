@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/processor.h"
 
-/* Uses the features that glibc's loader has found. gcc's own library would query the processor
- * again before main. In a virtual machine, where the host emulates each query, that takes 0.07 ms.
- */
+/* Uses the processor features that glibc's loader has found. gcc's library would query the
+ * processor again before main. In a virtual machine, where the host emulates each query, that takes
+ * 0.07 ms. */
 #if defined(__x86_64__) && defined(__has_include)
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>

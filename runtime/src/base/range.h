@@ -15,7 +15,7 @@ struct range {
     uintptr_t end;
 };
 
-/** Bytes [first, end) relative to the base of a group (ownership/partition.h). */
+/** Bytes [first, end) as offsets from the base of a group of arrays (ownership/partition.h). */
 struct offsets {
     ptrdiff_t first;
     ptrdiff_t end;
@@ -27,7 +27,7 @@ static inline bool redcc_range_empty(struct range range) {
     return range.end <= range.first;
 }
 
-/** The range of an extent; empty if the extent is not known yet. */
+/** The range of an extent; empty if the extent is not known yet (end == 0). */
 static inline struct range redcc_range_of(redcc_extent extent) {
     return extent.end ? (struct range){(uintptr_t)extent.first, (uintptr_t)extent.end}
                       : redcc_nowhere;

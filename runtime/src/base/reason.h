@@ -2,7 +2,8 @@
 #ifndef REDCC_REASON_H
 #define REDCC_REASON_H
 
-/** Reasons why a loop ran sequentially: identifier, slug, and text of the report. */
+/** Reasons why a loop ran sequentially. Each has an identifier, a slug, and a text for the
+ * report. */
 #define REDCC_REASON_LIST(X)                                                                       \
     X(REASON_NONE, "", "")                                                                         \
     X(REASON_NAMED, "named-serial", "REDCC_METHOD says serial")                                    \
@@ -55,7 +56,7 @@ enum reason {
         REASON_COUNT
 };
 
-/** The slug of a reason, and its text in the report. */
+/** The slug of a reason, and the text of a reason in the report. */
 const char *redcc_reason_slug(enum reason reason);
 const char *redcc_reason_text(enum reason reason);
 

@@ -12,8 +12,8 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Both GNU's and LLVM's OpenMP libraries export these functions. They are weak, so that programs
- * link without a library. */
+/* Both GNU's and LLVM's OpenMP libraries export these functions. The references are weak, so that
+ * programs without an OpenMP library link. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void (*)(void *), void *, unsigned, unsigned) WEAK;
 extern int omp_get_max_threads(void) WEAK;
@@ -26,8 +26,8 @@ bool redcc_region_is_own(void) {
            !omp_in_parallel;
 }
 
-/* The number at the beginning of an environment variable such as OMP_NUM_THREADS. `otherwise` if
- * there is none, and in a setuid program. */
+/* The number at the beginning of an environment variable such as OMP_NUM_THREADS. Returns
+ * `otherwise` if there is no positive number, or in a setuid program. */
 static int number_of(const char *variable, int otherwise) {
     const char *text = redcc_system_is_privileged() ? NULL : getenv(variable);
     char *end = NULL;

@@ -7,7 +7,7 @@ bool redcc_rights_assumed;
 
 #if defined(__x86_64__)
 
-/* The instructions are written as bytes, because assemblers and compilers know their names only
+/* The instructions are written as bytes, because assemblers and compilers accept their names only
  * with an option. */
 static uint32_t read_rights(void) {
     uint32_t rights, unused;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A thread's memory access rights by protection keys, pkeys(7). Each thread has its own rights,
- * which pkey_set changes. Only 64-bit x86 is supported. */
+/** A thread's memory access rights by protection keys, see pkeys(7). Each thread has rights of its
+ * own; the program changes them by pkey_set. Only 64-bit x86 is supported. */
 #ifndef REDCC_RIGHTS_H
 #define REDCC_RIGHTS_H
 

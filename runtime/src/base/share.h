@@ -16,8 +16,8 @@ static inline redcc_int redcc_max(redcc_int a, redcc_int b) {
 }
 
 /** The first iteration of share number `thread` when iterations are divided into `threads` equal
- * shares; `trip` if thread == threads. Each thread inspects its share. It also executes it under
- * methods that divide iterations evenly. */
+ * shares; `trip` if thread == threads. Each thread inspects its share. With methods that divide
+ * iterations evenly, it also executes it. */
 static inline redcc_int redcc_share(redcc_int trip, int threads, int thread) {
     const redcc_int quotient = trip / threads, rest = trip % threads;
     return quotient * thread + (thread < rest ? thread : rest);

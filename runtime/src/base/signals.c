@@ -10,8 +10,9 @@
 
 #define BIT(number) (UINT64_C(1) << ((number)-1))
 
-/* Signals that the thread itself raises, and glibc's internal signal (33) by which setuid reaches
- * all threads: the thread that called setuid waits for all others to handle it. */
+/* Signals that are never blocked: those that a thread's own instructions raise, and glibc's
+ * internal signal 33. By signal 33 setuid reaches all threads, and its caller waits until each
+ * thread has handled it. */
 #define NEVER_HELD                                                                                 \
     (BIT(SIGSEGV) | BIT(SIGBUS) | BIT(SIGFPE) | BIT(SIGILL) | BIT(SIGTRAP) | BIT(SIGSYS) | BIT(33))
 
@@ -59,10 +60,10 @@ static bool is_on_other_stack(void) {
 #define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
 
 /* Is the word at `at` a handler's return address, with the interrupted context above it
- * (sigreturn(2), struct rt_sigframe)? The context has a null link and the interrupted stack
- * pointer, which lies above this frame. In its processor flags, bit 1 is always set, and bits 22
- * and above never are. The return address alone proves nothing, since the stack may hold old
- * contents. */
+ * (sigreturn(2), struct rt_sigframe)? The return address alone proves nothing, since the stack may
+ * hold old contents. The context has a null link and the interrupted stack pointer, which lies
+ * above this frame. In its processor flags, bit 1 is always set, and bits 22 and above never
+ * are. */
 NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
     enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
     return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&

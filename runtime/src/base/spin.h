@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A spin lock for critical sections shorter than a sleep. If signals are not blocked (signals.h),
- * a handler may find that its own thread holds the lock. Such locks are acquired by
- * redcc_spin_hope. */
+/** A spin lock for critical sections that take less time than putting a thread to sleep. If signals
+ * are not blocked (signals.h), a handler may run while its own thread holds the lock. Locks for
+ * which this can happen are acquired by redcc_spin_hope. */
 #ifndef REDCC_SPIN_H
 #define REDCC_SPIN_H
 
@@ -20,8 +20,8 @@ static inline bool redcc_spin_try(struct spin *lock) {
            atomic_exchange_explicit(&lock->held, 1, memory_order_acquire) == 0;
 }
 
-/** Acquires the lock. Returns false after a long wait, because the lock's holder may never release
- * it. */
+/** Acquires the lock. After a long wait without success, returns false, because the lock's holder
+ * may never release it. */
 static inline bool redcc_spin_hope(struct spin *lock) {
     for (int tries = 0; tries < 10000; tries++) {
         if (redcc_spin_try(lock))

@@ -21,8 +21,8 @@
 /* glibc's reserved name of getauxval, which reads the kernel's auxiliary vector. */
 extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
 
-/* Preserves errno, which the library sets if the kernel gives no such value. Then the result is 0.
- */
+/* The auxiliary value `what` of the process; 0 if the kernel gives none. In that case the library's
+ * function sets errno, so errno is restored. */
 static unsigned long auxiliary_value(unsigned long what) {
     const int before = errno;
     const unsigned long value = __getauxval ? __getauxval(what) : 0;
@@ -71,8 +71,8 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
 #define MAP_CALL SYS_mmap
 #endif
 
-/* One thread may unmap memory that the kernel then maps for another thread. The kernel orders the
- * two calls, but race detectors do not see that. This counter shows them the order. */
+/* One thread may unmap memory at addresses that the kernel then gives to another thread. The kernel
+ * orders the two calls, but race detectors do not know that. This counter shows them the order. */
 static atomic_uint unmapped;
 
 void *redcc_system_map(size_t bytes) {
@@ -137,8 +137,8 @@ int redcc_system_node(void) {
     return -1;
 }
 
-/* The result is cached, because loops need it before each execution, and many executions are
- * shorter than a system call. */
+/* The result is cached, because it is needed before each execution of a loop, and many executions
+ * are shorter than a system call. */
 uint64_t redcc_system_memory(void) {
     static atomic_uint mebibytes;
     unsigned known = atomic_load_explicit(&mebibytes, memory_order_relaxed);
@@ -159,7 +159,7 @@ long redcc_system_process(void) {
 }
 
 /* Reads the 22nd field of /proc/self/stat. The search begins after the second field, a name in
- * brackets which may contain any character. */
+ * brackets which may itself contain spaces and brackets. */
 unsigned long long redcc_system_started(void) {
     char text[1024] = "";
     redcc_system_read_text("/proc/self/stat", text, sizeof text);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Direct system calls, used in place of POSIX functions such as read, close, mmap, sysconf and
- * clock_gettime. ISO C does not reserve these names (C17 7.1.3), so that a function of the program
- * with such a name would replace the library's. No function here sets errno, is a cancellation
- * point, allocates or takes a lock; all are thread-safe and async-signal-safe.
+ * Direct system calls, in place of POSIX functions such as read, close, mmap, sysconf and
+ * clock_gettime. ISO C does not reserve these names (C17 7.1.3). So the program may define a
+ * function with such a name, which would replace the library's. No function here sets errno, is a
+ * cancellation point, allocates or takes a lock; all are thread-safe and async-signal-safe.
  * tests/runtime/check-symbols checks the names to which the runtime refers.
  */
 #ifndef REDCC_SYSTEM_H
@@ -75,7 +75,7 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
                       (long)(f))
 #define redcc_system(...) REDCC_SYSTEM_7(__VA_ARGS__, 0, 0, 0, 0, 0, 0, 0)
 
-/** Is the runtime linked into the executable, which is never unloaded? False if unknown. */
+/** Is the runtime linked into the executable, which is never unloaded? False if that is unknown. */
 bool redcc_system_is_program(void);
 /** Opens a file for reading. Returns its descriptor, or a negative number on failure. */
 int redcc_system_open(const char *name);
@@ -86,13 +86,14 @@ long redcc_system_read(int descriptor, void *into, size_t bytes);
 
 void redcc_system_close(int descriptor);
 
-/** Reads the beginning of a file into `text`, which has `bytes` bytes, all zero; the last byte
- * stays zero. On failure all bytes stay zero. */
+/** Reads the beginning of a file into `text`, a buffer of `bytes` bytes that are all zero. The last
+ * byte stays zero. On failure all bytes stay zero. */
 void redcc_system_read_text(const char *name, char *text, size_t bytes);
 
 #endif
 
-/** Maps `bytes` bytes of memory, a multiple of a page, all zero; NULL on failure. */
+/** Maps `bytes` bytes of memory (a multiple of the page size), which are all zero. NULL on
+ * failure. */
 void *redcc_system_map(size_t bytes);
 
 /** Unmaps memory of redcc_system_map. */
@@ -129,8 +130,8 @@ int redcc_system_online(void);
 /** The number of involuntary context switches of the process's threads; 0: not known. */
 long redcc_system_preemptions(void);
 
-/** Does the program have more rights than its caller (setuid), so that the environment must be
- *  ignored? */
+/** Does the program have more rights than its caller (setuid)? Then the environment must be
+ * ignored. */
 bool redcc_system_is_privileged(void);
 
 /** Fills word[words] with random values. */

@@ -26,8 +26,8 @@ _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* Symbols that identify OpenMP's library, and functions by which it creates threads. All are weak,
- * so that programs link without them. */
+/* Symbols that identify OpenMP's library, and functions by which the library creates threads. All
+ * references are weak, so that programs without the library link. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void) WEAK;
 extern void __kmpc_fork_call(void) WEAK;
@@ -46,18 +46,19 @@ extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
 extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
 
 enum {
-    FEW = 8192, /* a limit on processes or threads that is not below this is assumed not to be
-                   reached */
+    FEW = 8192, /* a limit on the number of processes or threads is assumed not to be reached if it
+                   is at least this */
     SPARE = 4 * 1024 * 1024
 };
 
 struct team {
-    int threads;   /* number of threads of this thread's last region; 0: there was none */
-    int pinned;    /* the libraries whose code the region's threads execute cannot be unloaded */
-    int rest;      /* number of calls to skip after a handler was last detected */
-    int rest_left; /* how many of these calls remain */
-    size_t
-        stack_before; /* the default size of stacks to restore, in bytes; 0: it was not changed */
+    int threads; /* number of threads of this thread's last region; 0: there was none */
+    int pinned;  /* the libraries that contain the code of the region's threads are prevented from
+                    being unloaded */
+    int rest; /* number of checks to skip, after the one that last found the thread in a handler */
+    int rest_left;       /* how many of these calls remain */
+    size_t stack_before; /* the default size of stacks that must be restored, in bytes; 0: it was
+                            not changed */
 };
 
 static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
@@ -103,8 +104,8 @@ static bool fits(size_t bytes) {
     return place != NULL;
 }
 
-/* The limit of the main thread's stack in bytes, at most 1 GiB. 256 MiB if it is unlimited, 0 if
- * unknown. */
+/* The limit of the main thread's stack in bytes, but at most 1 GiB; 256 MiB if the stack is
+ * unlimited; 0 if the limit is unknown. */
 static size_t main_stack(void) {
     struct rlimit limit;
     const size_t unlimited = (size_t)256 << 20, most = (size_t)1 << 30;
@@ -134,8 +135,8 @@ static size_t set_stacks(size_t bytes) {
     return before;
 }
 
-/* The size for each of `more` stacks: the main thread's limit, halved until all stacks can be
- * mapped. If that gives at most 2 MiB, returns 0, which means the default size. */
+/* The size of each of `more` stacks. Begins with the main thread's limit, and halves it until all
+ * stacks can be mapped. Returns 0, which means the default size, if the result is at most 2 MiB. */
 static size_t stack_for(int more) {
     size_t wanted = main_stack();
     const size_t usual = (size_t)2 << 20;
@@ -196,8 +197,8 @@ static int count_tasks(void) {
     return (int)tasks.stx_nlink - LINKS;
 }
 
-/* Tries to start `more` threads. Returns how many threads OpenMP could start. All threads of the
- * trial have ended on return. */
+/* Finds out how many of `more` threads OpenMP could start, by starting them. All of these threads
+ * have ended on return. */
 static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};
@@ -232,8 +233,8 @@ static int available_threads(int threads) {
     return can;
 }
 
-/* Is the thread in a signal handler? After each time that it is, checks are skipped with
- * exponential back-off, and the answer for a skipped check is yes. */
+/* Is the thread in a signal handler? If a check says yes, the next checks are skipped, and their
+ * answer is yes, too. The number of skipped checks grows exponentially (back-off). */
 static bool is_in_handler(uint64_t before) {
     enum { REST_MOST = 1024 };
     if (team.rest_left > 0) {
@@ -247,7 +248,7 @@ static bool is_in_handler(uint64_t before) {
 }
 
 /* The number of threads that exist for the calling thread's next region: those of its crew, of the
- * runtime's pool, or of its last OpenMP region. 0: there was no region. */
+ * runtime's pool, or of its last OpenMP region. 0: there was no such region. */
 static int there(void) {
     if (redcc_crew_threads() > 0)
         return redcc_crew_threads();
@@ -302,11 +303,11 @@ void redcc_team_begun(int threads) {
 
 /* ---- threads outside of regions -------------------------------------------------------------- */
 
-static atomic_int members; /* number of existing threads of regions (members), without the regions'
-                              first threads */
+static atomic_int members; /* number of threads (members) that exist because they have executed
+                              regions, without the first threads of these regions */
 
 /* The ids of the members that ended last; 0: unused. The system may not have removed these threads
- * yet, because they have destructors to run, or the machine is busy. */
+ * yet, because they still run destructors, or the machine is busy. */
 enum { LEAVING = 256 };
 static atomic_int leaving[LEAVING];
 static atomic_uint left;
@@ -361,8 +362,9 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* As count_others, after waiting up to 1 s for ended members, or `seconds` for other threads.
- * Threads that OpenMP created only for the program's regions may be ending, too. */
+/* As count_others, but waits for other threads to end: up to `seconds`, or up to 1 s while
+ * registered members are ending. Threads that OpenMP created only for the program's regions may be
+ * ending, too. */
 static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
@@ -379,8 +381,9 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region in which OpenMP's threads register as members. It has as many threads as the
- * process. If these are more than 256 or threads are limited, it has the usual number. */
+/* Opens a region in which OpenMP's threads register as members. The region has as many threads as
+ * the process, so that each idle thread gets a part. If these are more than 256 or threads are
+ * limited, it has the usual number. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
@@ -390,7 +393,7 @@ static void note_all(int others) {
 
 static atomic_int known; /* the number of other threads that had not ended after the last wait */
 
-/* As count_others, after waiting for members that are ending. */
+/* As count_others, but first waits for members that are ending. */
 static int count_unknown(void) {
     (void)redcc_is_forked(); /* in a forked child, this first resets the count of members */
     const int others = count_others();
@@ -410,8 +413,8 @@ static bool others_leave(void) {
 }
 
 /* Are all other threads of the process members? If some are unknown, waits for them to end, unless
- * as many remained after the last wait. If `registers` is set, first opens a region in which
- * OpenMP's idle threads register as members. */
+ * the last wait left equally many. If `registers` is set, first opens a region in which OpenMP's
+ * idle threads register as members. */
 static bool are_others_idle(bool registers) {
     const int others = count_unknown();
     if (others == 0 && atomic_load(&known) != 0)
@@ -435,8 +438,8 @@ bool redcc_team_has_met(void) {
         return redcc_team_is_alone();
     if (redcc_within || omp_get_level() > 1)
         return false;
-    /* A region of one thread keeps the order with the directives, too, so there is nothing to wait
-     * for. OpenMP's other threads are idle then, and do not execute this loop. */
+    /* A region of one thread keeps the sequential order even with the directives, so there is
+     * nothing to wait for. OpenMP's other threads are then idle and do not execute this loop. */
     if (omp_get_num_threads && omp_get_num_threads() == 1)
         return count_unknown() == 0;
     return are_others_idle(false);

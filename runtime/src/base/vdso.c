@@ -48,8 +48,8 @@ static int read_image(struct image *image, uintptr_t place) {
     return image->symbol && image->text;
 }
 
-/* The number of symbols is not stored directly. The search ends at the string table, which follows
- * the symbols. */
+/* The number of symbols is not stored directly. The search ends at the string table, which linkers
+ * put after the symbols. */
 void (*redcc_vdso_find(unsigned long place, const char *name))(void) {
     struct image image = {0};
     if (!read_image(&image, place))

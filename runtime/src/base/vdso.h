@@ -12,8 +12,8 @@
 #define REDCC_VDSO_NODE "__vdso_getcpu"
 #endif
 
-/** Returns the function `name` in the image at address `image` (the value of AT_SYSINFO_EHDR; 0:
- * there is no image), as vdso(7) describes; a null pointer if it does not exist. */
+/** Returns the function `name` in the image at address `image`, as vdso(7) describes; a null
+ * pointer if it does not exist. `image` is the value of AT_SYSINFO_EHDR; 0: there is no image. */
 void (*redcc_vdso_find(unsigned long image, const char *name))(void);
 
 #endif

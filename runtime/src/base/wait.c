@@ -12,17 +12,17 @@
 #endif
 
 enum {
-    SPINS = 4000, /* some 20 to 100 microseconds, longer than the differences between a balanced
-                     loop's threads */
+    SPINS = 4000, /* spins take some 20 to 100 microseconds, longer than the differences between the
+                     threads of a balanced loop */
     IDLE = 1000,  /* number of spins of an idle thread (docs/decisions/0002) */
     YIELDS = 4,   /* how often the thread yields its core after the spins, before it sleeps */
     FULL = 1024
 };
 
-/* A thread spins for part / FULL of the full number of spins, with exponential back-off. If another
- * program occupies the core of the awaited thread, spinning wastes a second core. So a wait that
- * ended in a long sleep halves `part`. A wait that ended during the spins, or after a short sleep,
- * doubles it. */
+/* A thread spins for part / FULL of the full number of spins; `part` changes with exponential
+ * back-off. If another program occupies the core of the awaited thread, spinning wastes a second
+ * core. So a wait that ended after a long sleep halves `part`. A wait that ended during the spins,
+ * or after a short sleep, doubles it. */
 struct spinning {
     int part;
 };
@@ -56,8 +56,8 @@ static inline void relax(void) {
 #endif
 }
 
-/* No wake-up is lost. Either this thread is counted as asleep before the word changes, and is
- * woken; or the kernel finds the word changed and returns at once. */
+/* No wake-up is lost. Either this thread is counted in *asleep before another thread changes the
+ * word, and is woken. Or the kernel finds that the word has changed, and returns at once. */
 static void sleep_while(atomic_uint *word, unsigned value, atomic_int *asleep) {
     atomic_fetch_add(asleep, 1);
     while (atomic_load(word) == value) {

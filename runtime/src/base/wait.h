@@ -8,11 +8,11 @@
 
 /** Returns when *word differs from `value`. All writes before the store to *word are then visible.
  * *asleep counts sleeping threads; several words may share it. `threads` is the number of threads
- * of the region. If there are more threads than processors, the wait does not spin. */
+ * of the region; if it exceeds the number of processors, the wait does not spin. */
 void redcc_wait_while(atomic_uint *word, unsigned value, atomic_int *asleep, int threads);
 
-/** As redcc_wait_while, for a thread that may be idle for long: it spins for at most 5 to 25
- * microseconds, so that regions in quick succession find it awake. */
+/** As redcc_wait_while, for a thread that may be idle for long. It spins for at most 5 to 25
+ * microseconds, so that a region that follows soon finds it awake. */
 void redcc_wait_idle(atomic_uint *word, unsigned value, atomic_int *asleep);
 
 /** Wakes the threads that sleep on *word. The caller must have changed *word by a sequentially

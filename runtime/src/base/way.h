@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The strategies that `auto` chooses from. They are the arms of its bandit (learn/learner.h). */
+/** The strategies (enum way) from which `auto` chooses. They are the arms of its bandit
+ * (learn/learner.h). */
 #ifndef REDCC_WAY_H
 #define REDCC_WAY_H
 
@@ -11,11 +12,11 @@ enum way {
     WAY_COPIES, /**< private copies */
     WAY_INDEX,  /**< LOCALWRITE with owners by address */
     WAY_GRAPH,  /**< LOCALWRITE with owners chosen by partitioning the access graph; or wavefronts,
-                   if the owners' work would be uneven */
+                   if the owners would get uneven work */
     /* Strategies without a plan that depends on the subscripts, which may therefore change: */
-    WAY_DIRECT, /**< LOCALWRITE in which threads find their iterations during execution; or
-                 * tiles, for a loop over pairs */
-    WAY_BINS,   /**< in-order binning, whose trials may stop in the middle */
+    WAY_DIRECT, /**< LOCALWRITE without a plan: threads find their iterations during execution; or
+                   tiles, for a loop over pairs */
+    WAY_BINS,   /**< in-order binning; a trial of it may stop in the middle of the loop */
     WAY_COUNT,
     WAY_LAST_PLANNED = WAY_GRAPH
 };

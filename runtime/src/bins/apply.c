@@ -20,8 +20,8 @@ static void apply_wide(const redcc_applied *applied, redcc_operator operation, s
         }
 }
 
-/* Can a function of the library apply the stream's records, without the loop's own apply function?
- * Sets *wide if the records are doubles and the rows are floats. */
+/* Can a function of the library apply the stream's records, so that the loop needs no apply
+ * function? Sets *wide if the records are doubles and the rows are floats. */
 static bool is_plain(const redcc_array *array, const redcc_stream *stream, bool *wide) {
     const struct element_rule *rule =
         redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type);
@@ -135,8 +135,8 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
     }
 }
 
-/* The rows from the first to the last that have changed in one thread's copy of an array of the
- * stream, i.e. are no longer neutral. */
+/* The range of rows, of an array of the stream, in which one thread's copy is no longer neutral:
+ * from the first to the last changed row. */
 static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
                                      const char *copy) {
     const redcc_stream *stream = &binning->loop->streams[s];
@@ -166,8 +166,9 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
     return rows;
 }
 
-/* Merges this thread's share of the changed rows, one copy after the other. Other rows of the
- * window may lie beyond the array's ends. */
+/* Merges this thread's share of the changed rows of all threads' copies, one copy after the other.
+ * Only changed rows are merged, because other rows of the window may lie beyond the array's
+ * ends. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct row_range changed = binning->stream[s].changed;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * In-order binning (propagation blocking): an executor without an inspection, for loops whose
- * subscripts change. The iterations are executed in rounds.
+ * subscripts change. The iterations are executed in rounds. The phases are:
  *
- *     measure  without prior information: executes some iterations, to count rows and records
+ *     measure  if nothing is known: executes some iterations, to count rows and records
  *     push     each thread executes its share of the round's iterations, piece by piece, then
  *              pieces of other shares, and appends a record of each update to the bin of its
  *              row; the arrays are not written
@@ -12,16 +12,17 @@
  *              ..., each in the order they were appended
  *
  * So each element gets its updates in the order of the loop, with any number of threads. If records
- * of a round are missing (rows outside of the bins, no more memory), the round is aborted and
- * executed again, with other bins or fewer iterations. If that does not help, or the guard fails,
- * the rest of the loop runs sequentially. This is possible because the round has written nothing.
+ * of a round are missing (a row was outside of the bins, or memory was exhausted), the round is
+ * aborted and executed again, with other bins or fewer iterations. If that does not help, or the
+ * guard fails, the rest of the loop runs sequentially. This is possible because an aborted round
+ * has written nothing.
  *
  * For small arrays of integers, whose updates may be made in any order, each thread instead has a
  * private copy of the rows, and updates it immediately. The copies are merged at the end.
  *
- * A trial begins with a short round. After this round, the same number of iterations is executed
- * sequentially, and the two times are compared. The trial ends after the first round by which it
- * has lost too much time.
+ * In a trial, the first round is short. After it, the same number of iterations (a stretch) is
+ * executed sequentially, and the two times are compared. After each round, the trial ends if it has
+ * lost too much time.
  *
  * The files are window (rows and bins), pieces (distribution of iterations), buffer (records),
  * layout (sizes, memory), guard, apply, rounds.
@@ -45,8 +46,8 @@ enum bins_phase {
     BINS_OVER     /* the iterations before round.begin are done */
 };
 
-/** One thread's part in the binning. Only this thread writes to it, except for `share`. Other
- * threads read it after the barrier. */
+/** One thread's part in the binning. Only this thread writes to it, except that other threads take
+ * pieces of `share`. Other threads read the rest after the barrier. */
 struct binner {
     int thread;
     int threads;
@@ -64,13 +65,15 @@ struct binner {
     struct redcc_bin_buffer *buffer; /* [stream_count] the thread's records of each stream */
 };
 
-/** What is known of a stream; kept between executions. */
+/** What is known of a stream; remembered for later executions. */
 struct binned_stream {
     struct row_range rows; /* the range of the recorded rows */
-    double rate; /* records per iteration, of the thread that has most, plus a margin; 0: unknown */
+    double rate; /* records per iteration, for the thread with most records per iteration, plus a
+                    margin; 0: unknown */
     struct window window;
     struct row_range changed; /* the rows that private copies change */
-    double cut_for; /* number of records for which the window was cut; 0: it must be cut */
+    double cut_for; /* number of records that was expected when the window was cut; 0: the window
+                       must be cut */
 };
 
 /** The iterations of a round. */
@@ -80,12 +83,12 @@ struct round {
     redcc_int most;                  /* maximum number of iterations of later rounds */
     bool shortened;                  /* rounds were shortened because memory was insufficient */
     int failures;                    /* number of consecutive failures */
-    unsigned long long error_before; /* the value of *error when the round began, restored if the
+    unsigned long long error_before; /* the value of *error when the round began; restored if the
                                         round is aborted */
 };
 
-/** A function `tell` that is called, with `whom`, for the bytes of an array that are about to be
- * written. NULL: there is none. */
+/** A function `tell`, to be called for the bytes of each array that are about to be written, with
+ * `whom` as first argument. `tell` is NULL if there is no such function. */
 struct written_witness {
     void (*tell)(void *whom, uint32_t array, struct range written);
     void *whom;
@@ -98,15 +101,15 @@ struct effects {
 };
 
 struct bins_trial {
-    double may_lose; /* in seconds; a value of -1 or above, but below 0, is a share of the
-                        sequential loop's time, which is not known yet; 0: no trial */
+    double may_lose; /* seconds that the trial may lose. At least -1 and below 0: minus a share of
+                        the sequential loop's time, which is not known yet. 0: this is no trial */
     double usual;    /* seconds per iteration of the sequential loop, as known before the trial; 0:
                         unknown */
     double began;    /* when the trial began, on the clock of redcc_seconds */
-    double pushes;   /* if there is only one round (REDCC_WHOLE): when pushing began */
+    double pushes;   /* with REDCC_WHOLE, which has only one round: when pushing began */
     bool is_late;    /* pushing that round takes too long */
     redcc_int stretch; /* number of iterations that the trial executes sequentially */
-    double sequential; /* seconds that these iterations take; while they run, the time at which they
+    double sequential; /* seconds that these iterations took; while they run, the time at which they
                           began */
 };
 
@@ -122,12 +125,13 @@ struct binning {
     struct round round;
     bool copies;        /* this execution uses private copies */
     int cut_threads;    /* number of threads for which the windows were cut */
-    bool denies_copies; /* the guard found private copies to be too coarse */
+    bool denies_copies; /* the guard failed with private copies; records, whose ranges are more
+                           precise, may pass */
     atomic_uint next_bin;
     atomic_int failed; /* the round is aborted, because records are missing or it is late */
     struct effects effects;
-    enum reason
-        reason; /* why the rest of the loop is sequential; REASON_NONE: the whole loop is done */
+    enum reason reason; /* why the rest of the loop must run sequentially; REASON_NONE if binning
+                           executes the whole loop */
     struct overlap overlap; /* with REASON_OVERLAP: the ranges that overlap */
     long rounds;
     size_t bytes;
@@ -139,8 +143,9 @@ static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
     return loop->flags & REDCC_BINNED ? (const redcc_binned *)(const void *)loop : NULL;
 }
 
-/** Must the guard check all updates of the loop before the first update is made (REDCC_WHOLE)? If
- * so, the whole loop is one round, and no stretch of it is executed sequentially. */
+/** Must the guard check all updates of the loop before the first update is made? True with
+ * REDCC_WHOLE, unless REDCC_BINS_CHECKED has checked them before. Then the whole loop is one round,
+ * and no stretch of it is executed sequentially. */
 static inline bool redcc_bins_is_whole(const struct binning *binning) {
     const unsigned flags = binning->loop->loop.flags;
     return flags & REDCC_WHOLE && !(flags & REDCC_BINS_CHECKED);
@@ -155,23 +160,23 @@ static inline uintptr_t redcc_row_address(const struct binning *binning, const r
 
 /* ---- layout.c -------------------------------------------------------------------------------- */
 
-/** Cuts windows and allocates memory for rounds of the remaining iterations, according to the known
- * properties of the streams. Called by the thread that entered the loop. Returns REASON_NONE or the
- * reason of failure. */
+/** Cuts windows and allocates memory for rounds of the remaining iterations, using what is known of
+ * the streams. Called by the thread that entered the loop. Returns REASON_NONE, or the reason why
+ * this is impossible. */
 enum reason redcc_bins_lay_out(struct binning *binning);
 
 /* ---- guard.c --------------------------------------------------------------------------------- */
 
-/** The bins [first, end) contain everything of stream `s` that the round will write; end == 0: it
- * will write nothing. */
+/** The range [first, end) of bins that contains everything of stream `s` that the round will write;
+ * end == 0: it will write nothing. */
 struct used_bins {
     uint32_t first;
     uint32_t end;
 };
 struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s);
 
-/** May the records of the round be applied, or the copies be merged? Returns REASON_NONE or the
- * reason against it. */
+/** May the records of the round be applied, or the copies be merged? Returns REASON_NONE if so,
+ * otherwise the reason against it. */
 enum reason redcc_bins_guard(struct binning *binning);
 
 /** Calls the witness for each range that the round will write, after the guard has passed. */
@@ -179,17 +184,18 @@ void redcc_bins_tell_written(const struct binning *binning);
 
 /* ---- apply.c --------------------------------------------------------------------------------- */
 
-/** Can the records of all streams be applied, by functions of the loop or of the library? */
+/** Can the records of all streams be applied, by the loop's apply functions or by functions of the
+ * library? */
 bool redcc_bins_can_apply(const redcc_binned *loop);
 
-/** The thread's part in applying all records. `operands` are the program's, as given to
- * redcc_bins_next. */
+/** Executes the thread's part in applying all records. `operands` is the pointer that the program
+ * gave to redcc_bins_next. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands);
 
 /** Sets the thread's private copies to neutral elements. */
 void redcc_private_fill(const struct binning *binning, const struct binner *binner);
 
-/** The thread's part in merging the copies of all threads. */
+/** Executes the thread's part in merging the copies of all threads. */
 void redcc_private_merge(const struct binning *binning, const struct binner *binner);
 
 /** The rows of stream `s` that the private copy of some thread will change. */
@@ -207,8 +213,8 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 void redcc_binner_join(struct binner *binner, int threads);
 
 /** Begins an execution of binning->call. Called by one thread. may_lose and usual are described in
- * struct bins_trial. In a trial, the rest of the loop runs sequentially once the execution has
- * exceeded the sequential loop's time by may_lose. */
+ * struct bins_trial. In a trial, the rest of the loop runs sequentially once the execution has lost
+ * more than may_lose, compared with the sequential loop. */
 void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
                       struct written_witness witness);
 
@@ -216,13 +222,13 @@ void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
  */
 double redcc_bins_usual(const struct binning *binning);
 
-/** Gets the next iterations of the thread, in *worker and bins [stream_count]. False: the loop is
- * over or, if binner->phase is BINS_STRETCH, the round's iterations must first be executed
- * sequentially. */
+/** Gets the thread's next iterations, in *worker and bins[stream_count]. Returns false if the loop
+ * is over. Also returns false if binner->phase is BINS_STRETCH: then the iterations of the round
+ * must first be executed sequentially. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands);
 
-/** Allocates a thread's part (NULL: out of memory), and frees it. */
+/** redcc_binner_new allocates a thread's part (NULL: out of memory). redcc_binner_free frees it. */
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread);
 void redcc_binner_free(struct binner *binner, const redcc_binned *loop);
 

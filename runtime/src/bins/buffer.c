@@ -50,8 +50,8 @@ static void *part(const struct redcc_bin_buffer *buffer, size_t offset) {
     return buffer->memory + offset;
 }
 
-/* Ensures that there is memory for `bytes` bytes. Keeps the present memory if it is large enough.
- */
+/* Ensures that the buffer has memory for `bytes` bytes. Keeps its present memory if that is large
+ * enough. */
 static bool provide(struct redcc_bin_buffer *buffer, size_t bytes) {
     if (buffer->memory && redcc_memory_size(buffer->memory) >= bytes + LINE)
         return true;
@@ -203,8 +203,8 @@ bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records
     return buffer->blocks - buffer->used >= 2 * records / block + 2;
 }
 
-/* Copies the records of a write-combining buffer `line` that is not full yet. `end` is the
- * number after the bin's last record. */
+/* Writes the records of a write-combining buffer `line` that is not full yet to memory. `end` is
+ * the number after the bin's last record. */
 static void write_rest(char *to, const char *line, uint32_t end, uint32_t per_line, size_t bytes) {
     const uint32_t begun = end % per_line;
     memcpy(to + (size_t)(end - begun) * bytes, line, begun * bytes);

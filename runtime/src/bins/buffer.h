@@ -2,9 +2,10 @@
 /**
  * One thread's records of one stream, in blocks of REDCC_BLOCK_RECORDS: block k holds records [k *
  * REDCC_BLOCK_RECORDS, (k + 1) * REDCC_BLOCK_RECORDS). Bin b begins in block b, at
- * redcc_bin_offset(b), and continues in next[b], next[next[b]], ... The cursor of a bin is always
- * inside of the bin's last block. The thread that entered the loop allocates the memory, and the
- * pushing thread is the first to write to it. The memory is kept for later executions.
+ * redcc_bin_offset(b), and continues in next[b], next[next[b]], ... A bin's cursor, the number of
+ * its next record, is always inside of the bin's last block. The thread that entered the loop
+ * allocates the memory, and the pushing thread is the first to write to it. The memory is kept for
+ * later executions.
  */
 #ifndef REDCC_BUFFER_H
 #define REDCC_BUFFER_H
@@ -25,15 +26,15 @@ struct redcc_bin_buffer {
     uint32_t
         *mark; /* [PIECE_MARKS][bins] the cursors at the beginning of each of the thread's pieces */
     redcc_int marked[PIECE_MARKS]; /* the number of records at the beginning of each piece */
-    bool exhausted;                /* there were no blocks left, so that records are missing */
+    bool exhausted;                /* a record was not stored, because no blocks were left */
     struct row_range outside; /* range of the rows outside of the bins, whose records are missing */
     redcc_int outside_count;  /* number of these records */
     struct row_range reached; /* range of the rows that spans reach */
     char *memory;
 };
 
-/** A stretch: records of one bin, in the order in which they were pushed. `begin` is the number of
- * the first record, `end` the number after the last record. */
+/** A stretch of one bin: consecutive records, in the order in which they were pushed. `begin` is
+ * the number of the first record, `end` the number after the last record. */
 struct stretch {
     uint32_t begin;
     uint32_t end;
@@ -46,8 +47,8 @@ struct records {
     size_t count;
 };
 
-/** The position in its first block at which bin `bin` begins. It differs between neighbouring bins,
- * so that they use different cache sets. */
+/** The position in its first block at which bin `bin` begins. Neighbouring bins have different
+ * positions, so that they use different cache sets. */
 static inline uint32_t redcc_bin_offset(size_t bin) {
     return (uint32_t)(bin * 5 & 15) * REDCC_LINE_PLACES;
 }
@@ -76,15 +77,16 @@ void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *s
 /** Begins piece number `piece` of the thread, and ends the piece before it. */
 void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece);
 
-/** Will this many more records probably fit? Requires twice as many free blocks as they would fill,
- * and two more. */
+/** Will `records` more records probably fit? True only if there are twice as many free blocks as
+ * they would fill, and two more. */
 bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records);
 
-/** Called after the last push: writes the partially filled lines of write combining. */
+/** Called after the last push of a round: writes the partially filled write-combining buffers to
+ * memory. */
 void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
 
-/** Pushes a record of `count` rows, from row `low` on, to each of their bins. If low is
- * REDCC_NO_ROW, the round fails. */
+/** Pushes a record that covers `count` rows from row `low` on: to each bin that has some of these
+ * rows. If `low` is REDCC_NO_ROW, the round fails. */
 void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                      redcc_int count, const void *record);
 
@@ -99,12 +101,14 @@ static inline bool redcc_buffer_failed(const struct redcc_bin_buffer *buffer) {
 /** Does the bin have records? */
 bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin);
 
-/** All records of the bin; and its records of the thread's pieces [first, end). */
+/** redcc_bin_all: all records of the bin. redcc_bin_pieces: its records from pieces [first, end) of
+ * the thread. */
 struct stretch redcc_bin_all(const struct redcc_bin_buffer *buffer, uint32_t bin);
 struct stretch redcc_bin_pieces(const struct redcc_bin_buffer *buffer, uint32_t bin, int first,
                                 int end);
 
-/** Takes adjacent records from the front of the stretch. False: the stretch is empty. */
+/** Removes adjacent records from the front of the stretch *left and returns them in *records.
+ * False: the stretch is empty. */
 bool redcc_bin_records(const struct redcc_bin_buffer *buffer, struct stretch *left,
                        struct records *records);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The guard of a round. It is late: all records of the round exist, but nothing is written yet, so
- * that the reads and the future writes of the round are known exactly. Writes of earlier rounds
- * precede these reads in the sequential loop as well.
+ * The guard of a round. It is executed when all records of the round exist, but nothing is written
+ * yet. So the addresses that the round has read and will write are known exactly. Writes of earlier
+ * rounds precede these reads in the sequential loop as well.
  */
 #include "bins/binning.h"
 
@@ -92,8 +92,8 @@ static struct range written_of(const struct binning *binning, uint32_t array, bo
     return range;
 }
 
-/* Sets read [source_count] to the known reads of the loop and the reads that were recorded in the
- * round. */
+/* Sets read[source_count] to the address ranges that the loop is known to read, extended by the
+ * reads that were recorded in the round. */
 static void find_read(const struct binning *binning, struct range *read) {
     for (uint32_t source = 0; source < binning->loop->loop.source_count; source++) {
         read[source] = redcc_range_of(binning->call->request.known[source]);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The size of rounds. They are as large as memory permits, because a round loads each line of the
- * updated arrays from memory and stores it once. The records of all threads may take 0.6 times the
- * bytes of the arrays plus 64 MiB. If the loop must be one round, they may take 512 MiB instead of
- * 64.
+ * Determines the size of rounds. Rounds are as large as memory permits, because a round loads each
+ * line of the updated arrays from memory and stores it once. The records of all threads may take
+ * 0.6 times the bytes of the arrays plus 64 MiB. If the loop must be one round, they may take 512
+ * MiB instead of 64.
  */
 #include "bins/binning.h"
 
@@ -11,8 +11,9 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* The number of rows to add at each end of the window. The outermost rows may be missing in the
- * recorded range and, after failures, more of them. */
+/* The number of rows to add at each end of the window. The range of rows may have been found in a
+ * part of the iterations, so its outermost rows may be missing. After failures the margin is
+ * larger. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;
@@ -25,8 +26,9 @@ static redcc_int left_of(const struct binning *binning) {
     return binning->call->request.trip - binning->round.begin;
 }
 
-/* The recorded rows, and some more before them, so that the window begins with a cache line.
- * Otherwise threads that apply records of adjacent bins at the same time would share a line. */
+/* The recorded rows, and some rows before them, so that the window begins with a cache line.
+ * Otherwise two threads that apply records of adjacent bins at the same time might write to the
+ * same line. */
 static struct row_range from_a_line(const struct binning *binning, uint32_t s, uint64_t margin) {
     const redcc_stream *stream = &binning->loop->streams[s];
     struct row_range rows = binning->stream[s].rows;
@@ -41,8 +43,9 @@ static struct row_range from_a_line(const struct binning *binning, uint32_t s, u
     return rows;
 }
 
-/* Cuts a window for each stream. A window that contained all rows is kept, and so is its memory,
- * while the number of records is similar. False: the rows are spread too widely. */
+/* Cuts a window for each stream that has none, or whose expected number of records has changed
+ * much. Other windows are kept, and so is their memory. Returns false if the rows are spread too
+ * widely. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
@@ -125,8 +128,8 @@ static bool take_copies(struct binning *binning) {
 
 /* ---- records --------------------------------------------------------------------------------- */
 
-/* The number of blocks for a share of `iterations` iterations and for stolen pieces. On average the
- * last block of each bin is half full. */
+/* The number of blocks for a thread that pushes `iterations` iterations of its share, and some
+ * stolen pieces. On average the last block of each bin is half full. */
 static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
     const double block = REDCC_BLOCK_RECORDS, and_others = 1.25;
     const double most = (double)UINT32_MAX / block - 1; /* record numbers have 32 bits */
@@ -198,8 +201,8 @@ static size_t bytes_held(const struct binning *binning) {
     return bytes;
 }
 
-/* Is binning worth it with this number of threads? With one thread it pays only if the arrays
- * exceed the caches. */
+/* Is binning worthwhile with this number of threads? With a single thread, only if a variant of it
+ * was named (BINS_RECORDS or BINS_COPIES), or if the arrays exceed the caches. */
 static bool is_for_several(const struct binning *binning) {
     return binning->call->threads > 1 || binning->call->parameter != BINS_EITHER ||
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;

@@ -45,9 +45,9 @@ static struct bins_share *fullest_share(const struct binning *binning) {
     return fullest;
 }
 
-/* Is there room for the records of a piece of `share`? A thread has memory for all of its own
- * share. Of another share it takes only pieces that very probably fit, according to known rates,
- * because a round that runs out of memory fails. */
+/* Is there room for the records of a piece of `share`, another thread's share? A thread has memory
+ * only for its own share. It takes other pieces only if their records very probably fit, according
+ * to known rates, because a round that runs out of memory fails. */
 static bool has_room(const struct binning *binning, const struct binner *binner,
                      const struct bins_share *share) {
     const redcc_int iterations = (share->end - share->begin) / piece_count(share) + 1;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Load balancing within a round: each thread's share is cut into pieces, which the thread takes one
+ * Load balancing within a round. Each thread's share is cut into pieces, which the thread takes one
  * after the other. A thread that has finished its share takes pieces of other shares (work
- * stealing). So the cost of iterations may vary widely. The thread marks in its bins where the
- * records of each piece begin. A bin's records are applied in the order of the pieces, which is the
- * order of the loop, whichever thread appended them.
+ * stealing). So the cost of iterations may vary widely. A thread marks in its bins where the
+ * records of each piece begin. A bin's records are applied in the order of the pieces in the loop,
+ * whichever thread appended them.
  */
 #ifndef REDCC_PIECES_H
 #define REDCC_PIECES_H
@@ -31,7 +31,8 @@ struct binner;
 /** Says which thread took a piece. */
 struct piece {
     int thread;
-    int number; /* the piece's number among the thread's pieces of this round */
+    int number; /* the piece's number among the pieces that `thread` took in this round, in the
+                   order in which it took them */
 };
 
 /** A thread's share of a round: iterations [begin, end). */
@@ -42,8 +43,8 @@ struct bins_share {
     struct piece piece[SHARE_PIECES];
 };
 
-/** A run of pieces that are consecutive both in the loop and in the records of one thread: pieces
- * [first, end) of that thread. */
+/** A run of pieces that are consecutive both in the loop and in the records of `thread`: the pieces
+ * [first, end) that it took. */
 struct piece_run {
     int share, piece; /* position of the next piece in the loop */
     int thread;
@@ -54,16 +55,17 @@ struct piece_run {
 /** Cuts the round into shares. Called by one thread, before any thread pushes. */
 void redcc_pieces_cut(struct binning *binning);
 
-/** Takes a piece for the thread, from its own share or another: iterations [binner->next,
- * binner->last). False: no piece is left for it, and its records are complete. */
+/** Takes a piece for the thread, from its own share or from another, and sets binner->next and
+ * binner->last to its iterations. Returns false if no piece is left that the thread can take; its
+ * records are then complete. */
 bool redcc_pieces_take(struct binning *binning, struct binner *binner);
 
-/** Advances *run to the next run of pieces. If all fields of *run are zero, that is the first run.
- * False: no run is left. All pieces must have been taken. */
+/** Advances *run to the next run of pieces, in the order of the loop. If all fields of *run are
+ * zero, that is the first run. Returns false if no run is left. All pieces must have been taken. */
 bool redcc_pieces_next_run(const struct binning *binning, struct piece_run *run);
 
-/** The number of records of stream `s` for the iterations of thread `thread`'s share, whichever
- * thread pushed them. */
+/** The number of records of stream `s` that belong to iterations of thread number `thread`'s share,
+ * whichever thread pushed them. */
 redcc_int redcc_pieces_records(const struct binning *binning, int thread, uint32_t s);
 
 #endif

@@ -10,29 +10,29 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* number of iterations between two checks whether the round has failed. With
-                       fewer, the check that finds the failure would have counted less of the
-                       memory that is missing */
+    CHUNK = 16384,  /* number of iterations between two checks whether the round has failed. A
+                       smaller number would find a failure before most missing records are counted */
     STRETCHES = 64, /* maximum number of measured stretches per thread */
     STRETCH = 64,   /* maximum number of iterations of a measured stretch */
     MEASURED = 64,  /* in a small share, one iteration in this many is measured */
     LEAST_CHUNK = 512,
     TRIED = 16 /* the first round of a trial has 1 / TRIED of the loop's iterations, and so has the
-                  sequential stretch compared with it; a shorter stretch would find the caches full
-                  of records, and take too long */
+                  sequential stretch that is compared with it. A shorter stretch would be slowed
+                  down by caches that are full of records */
 };
 
-/* Factors by which assumed rates exceed measured ones: after BINS_MEASURE, and after a round. An
- * assumed rate and its memory are kept while the measured rate is at most as high, and at least
- * kept_down_to times as high. */
+/* Factors by which assumed rates exceed measured ones: measured_more after BINS_MEASURE,
+ * pushed_more after a round. An assumed rate, and the memory for it, is kept while the measured
+ * rate is at most as high as it and at least kept_down_to times as high. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
 static uint32_t stream_count(const struct binning *binning) {
     return binning->loop->stream_count;
 }
 
-/* The maximum number of iterations of a round. With spans it is limited: their operands are read
- * again when records are applied, and in short rounds these are still in the caches. */
+/* The maximum number of iterations of a round. It is limited if a stream has spans: applying a
+ * record of a span reads the loop's operands again, and after a short round these are still in the
+ * caches. */
 static redcc_int most_of_round(const struct binning *binning) {
     redcc_int most = redcc_bins_tuning.round;
     if (redcc_bins_is_whole(binning))
@@ -73,9 +73,9 @@ static void begin_measure(const struct binning *binning, struct binner *binner) 
         redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
 }
 
-/* Hands out stretches that are spread evenly over the thread's share and include its first and last
- * iterations. Of a small share, only one iteration in MEASURED is measured, because its iterations
- * may be expensive. */
+/* Hands out stretches of iterations that are spread evenly over the thread's share and include its
+ * first and last iterations. Measures at most about one iteration in MEASURED (but at least two),
+ * because the iterations may be expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
     if (!binner->begun)
@@ -114,9 +114,9 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* With REDCC_WHOLE: will pushing the only round take longer than the whole trial may take? The
- * answer is no until an eighth of the thread's share is pushed, because the first records are slow:
- * their memory is new. */
+/* With REDCC_WHOLE, whose only round is all that a trial executes: will pushing take longer than
+ * the trial may take? False until an eighth of the thread's share is pushed, because the first
+ * records are slow: their memory is new. */
 static bool is_late(const struct binning *binning, const struct binner *binner) {
     const struct bins_trial *it = &binning->trial;
     const double trip = (double)binning->call->request.trip, share = trip / binner->threads;
@@ -189,9 +189,9 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round. It is the number of iterations done so far, or
- * fewer, so that at the same loss per iteration the trial stays within its limit. At least trip /
- * TRIED. */
+/* The number of iterations of a trial's next round: usually the number of iterations done so far.
+ * It is smaller if the trial, at the same loss per iteration, would exceed the time that it may
+ * lose, but at least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;
@@ -202,9 +202,9 @@ static redcc_int tried_next(const struct binning *binning) {
     return each * (double)begin <= left ? begin : redcc_max((redcc_int)(left / each), least);
 }
 
-/* Divides the remaining iterations into rounds of about equal size, and begins the next one; in a
- * trial, it has only a part of these iterations. Memory is allocated for a full round; a shorter
- * round writes only a part of it. */
+/* Divides the remaining iterations into rounds of about equal size, and begins the next round. In a
+ * trial, that round may be shorter. Memory is allocated for a full round; a shorter round writes
+ * only a part of it. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int trip = binning->call->request.trip, left = trip - round->begin;
@@ -258,8 +258,9 @@ static enum bins_phase after_measure(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Called if records are missing: the round is executed again, for more rows or with fewer
- * iterations. */
+/* Called if records are missing: the round is executed again. If a row was outside, the bins get
+ * more rows; if memory was exhausted, the round gets fewer iterations or, with REDCC_WHOLE, more
+ * memory. */
 static enum bins_phase push_again(struct binning *binning) {
     struct round *round = &binning->round;
     bool exhausted = false;
@@ -326,8 +327,8 @@ static enum bins_phase after_push(struct binning *binning) {
     return BINS_APPLY;
 }
 
-/* If the bins from the first used one to the last used one are at most three quarters of all bins,
- * later executions use fewer bins. */
+/* If at most three quarters of the bins lie between the first and the last used bin, lets the next
+ * execution cut a window of only these rows. */
 static void trim(struct binning *binning) {
     for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
@@ -350,8 +351,9 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Begins a sequential stretch with as many iterations as the first round. Comparing the two times
- * shows what that round has gained, even if the loop's speed changes between executions. */
+/* Begins a stretch, which is executed sequentially and has the same number of iterations as the
+ * first round. Comparing the two times shows what that round has gained, even if the loop's speed
+ * differs from that of earlier executions. */
 static enum bins_phase begin_stretch(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int left = binning->call->request.trip - round->begin;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The rows of a bin fit into half of a core's second-level cache while its records are applied.
- * With up to 288 bins a thread can append directly; each bin needs the cache line that is being
- * written, and its page. An iteration that appends to many at once would wait for these lines to be
- * read before they are written; write combining avoids that.
+ * The rows of a bin fit into half of a core's second-level cache while its records are applied. If
+ * there are at most 288 bins, a thread can append records directly: for each bin, the cache line
+ * that it is writing and its page stay cached. But an iteration that appends to many bins at once
+ * would wait until these lines are read. Write combining avoids that, and is also used with more
+ * bins.
  */
 #include "bins/window.h"
 
@@ -43,16 +44,16 @@ static uint64_t bins_of(uint64_t rows, uint32_t bits) {
     return ((rows - 1) >> bits) + 1;
 }
 
-/* Is there memory to halve a stream's bins? Each thread has partially filled blocks for all of
- * them. */
+/* Is there memory to halve a stream's bins, which doubles their number? Each thread has partially
+ * filled blocks for all of them. */
 static bool affords(const redcc_stream *stream, uint64_t bins, int threads) {
     const double block = (double)REDCC_BLOCK_RECORDS * (stream->record + sizeof(redcc_u16));
     return 4.0 * (double)bins * block * threads < (double)(redcc_bins_tuning.least_budget / 4);
 }
 
-/* The least number of bits for the rows of a bin. A bin of spans has at least the size of a page:
- * beyond the end of a span, the processor prefetches lines that the thread of the next bin writes,
- * but it never prefetches beyond a page. */
+/* The smallest number of bits for the rows of a bin. A bin of spans has at least the size of a
+ * page. At the end of a span, the processor prefetches the lines that follow, which the thread of
+ * the next bin may be writing; but it never prefetches beyond a page. */
 static uint32_t least_bits(const redcc_stream *stream) {
     uint32_t bits = LEAST_BITS;
     while (stream->exact == REDCC_STREAM_SPANS &&

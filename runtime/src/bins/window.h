@@ -41,16 +41,18 @@ struct bins_tuning {
     size_t bin_bytes;     /* maximum size of the rows of a bin in bytes */
     uint32_t bin_bits;    /* a bin has at most 2^bin_bits rows */
     uint32_t direct_bins; /* with more bins than this, records are pushed by write combining */
-    double direct_rate;   /* if an iteration has more records than this, they are pushed by write
-                             combining, too */
+    double direct_rate;   /* if an iteration has more records than this, its records are pushed by
+                             write combining, too */
     redcc_int round;      /* maximum number of iterations of a round */
     redcc_int round_of_spans; /* maximum number of iterations of a round if a stream has spans */
-    size_t least_budget;      /* memory for records in bytes, whatever the size of the arrays */
-    size_t whole_budget;      /* memory for records in bytes if the loop must be one round */
-    size_t copies_bytes;      /* maximum size of arrays that have private copies, in bytes */
-    size_t one_thread_bytes;  /* minimum size of arrays for which one thread uses bins, in bytes */
-    double trial;             /* with REDCC_METHOD=binning: the seconds that a trial may lose
-                                 (redcc_bins_begin); 0: no trial */
+    size_t least_budget; /* memory for records in bytes, to which a share of the size of the arrays
+                            is added */
+    size_t whole_budget; /* memory for records in bytes if the loop must be one round */
+    size_t copies_bytes; /* maximum size of arrays that have private copies, in bytes */
+    size_t one_thread_bytes; /* minimum total size of the arrays for which one thread uses bins, in
+                                bytes */
+    double trial;            /* with REDCC_METHOD=binning: the seconds that a trial may lose
+                                (redcc_bins_begin); 0: no trial */
 };
 
 extern struct bins_tuning redcc_bins_tuning;
@@ -58,10 +60,10 @@ extern struct bins_tuning redcc_bins_tuning;
 /** The size in bytes of one row of each array of a stream. */
 size_t redcc_stream_row(const redcc_stream *stream);
 
-/** The window of `rows`, with `margin` more rows on either side. It has enough bins for `threads`
- * threads, but so few that each bin gets at least some hundreds of records per thread. `rate` *
- * `iterations` is the total number of records. If the result has no rows, the range is too large.
- */
+/** The window of `rows`, with at least `margin` more rows on either side. If the number of bins is
+ * too small for `threads` threads, bins are halved while each has some hundreds of records per
+ * thread. `rate` * `iterations` is the total number of records. The result has no rows if the range
+ * of rows is too large. */
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
                            int threads, double rate, double iterations);
 

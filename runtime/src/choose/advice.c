@@ -14,12 +14,12 @@
 #include <math.h>
 #include <string.h>
 
-/* For a loop whose sequential execution is never timed: with this many iterations it is worth
- * waking two threads, however short an iteration is. */
+/* For a loop whose sequential execution is never timed: from this number of iterations on, waking
+ * two threads is worthwhile, even if iterations are very short. */
 enum {
     SMALL_TRIP = 4096,
-    /* The least number of units of the leading array per thread for stealable blocks. If the units
-     * are rows of a mesh, these blocks then cost 1 %. */
+    /* The smallest number of units of the leading group per thread with which stealable blocks are
+     * used. If the units are rows of a mesh, these blocks then cost 1 %. */
     LEAST_UNITS_TO_STEAL = 32768
 };
 
@@ -85,8 +85,8 @@ static bool are_the_same(const struct chooser *chooser, const redcc_loop *loop,
            redcc_fingerprint_equal(all, chooser->all);
 }
 
-/* Stores this call's sample. Returns whether it was the sample of one of the last calls. A loop
- * that is called for one array after the other keeps a plan for each. */
+/* Stores this call's sample. Returns whether one of the last calls had the same sample. Several are
+ * remembered, because a loop that is called for several arrays in turn keeps a plan for each. */
 static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
     int at = 0;
     while (at < REDCC_PLANS - 1 && chooser->sampled[at] != sampled)
@@ -228,14 +228,15 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
-/* The measured seconds of an iteration's slice. 0: the slice was not timed, or took at most twice
+/* The measured seconds of an iteration's slice. 0 if the slice was not timed, or took at most twice
  * the time that is estimated from its touches. */
 static double time_of_slice(const struct inspection *inspection) {
     const double measured = redcc_slice_seconds(inspection);
     return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
 }
 
-/* The findings that are known both after the sample and after all iterations. */
+/* Those findings that can be computed both after the sample and after all iterations were
+ * recorded. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -259,14 +260,14 @@ static struct findings begin_findings(const struct chooser *chooser,
         .checked = bytes_to_check(loop, call->request.known)};
 }
 
-/* Are stealable blocks (partition.h) worth their cost? *found describes it by share, overhead and
- * changes. */
+/* Are stealable blocks (partition.h) worth their cost? Uses share, overhead and changes of *found,
+ * which is estimated with these blocks. */
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
     if (found->overhead > LEARN_SHARE / 2 || found->share * call->planned > LEARN_CONTENDED)
         return false; /* stealable blocks would save only 2 to 20 % of the iterations */
-    /* If the iterations of a block are scattered, subscripts of other blocks are read together with
-     * those of this block. */
+    /* If the iterations of a block are scattered, reading their subscripts also loads subscripts of
+     * other blocks. */
     return found->changes < LEARN_FREQUENT ||
            usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
 }
@@ -297,10 +298,10 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* The time of a thread that selects its own iterations, as a share of the sequential time. It
- * evaluates the slices of all iterations, after all threads together (or one thread, in a dry run)
- * have evaluated them once. With REDCC_PARTS, replicated iterations count as a quarter, because
- * they skip most of their work. */
+/* The time of a thread that selects its own iterations, as a share of the sequential time. The
+ * thread evaluates the slices of all iterations. Before that, all threads together (or one thread,
+ * in a dry run) have evaluated these slices once. With REDCC_PARTS, replicated iterations count as
+ * a quarter, because they skip most of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
@@ -310,7 +311,7 @@ static double share_directly(const struct inspection *inspection, const struct f
         flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
     const double recorded = dried > 0 ? dried : 3 * inspection->each.records * LEARN_TOUCH;
     const double slice = recorded > it->slice ? recorded : it->slice;
-    /* each pair is computed once, and slices are short */
+    /* tiles compute each pair once, and their slices are short */
     if (redcc_may_be_tiled(inspection) && it->sequential > 0)
         return even;
     return flags & REDCC_SELECTS && it->sequential > 0
@@ -318,14 +319,14 @@ static double share_directly(const struct inspection *inspection, const struct f
                : 0;
 }
 
-/* Adds the findings for bins. Bins are expected to pay for irregular updates, and for small arrays
- * of integers, which use private copies. */
+/* Adds the findings for bins. Bins are expected to pay if updates are irregular, or if private
+ * copies of small arrays of integers can be used. */
 static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
                       struct findings *findings) {
     const redcc_loop *loop = inspection->call->request.loop;
     const double bytes = bytes_touched(inspection);
-    const double least_row =
-        4; /* least size of a row in bytes, so that there are more updates than rows */
+    const double least_row = 4; /* smallest size of a row in bytes, from which an upper bound of the
+                                   number of rows follows */
     const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
                            bytes <= LEARN_CACHE &&
                            findings->touches * (double)findings->trip * least_row > bytes;
@@ -440,7 +441,7 @@ bool redcc_may_be_tiled(const struct inspection *inspection) {
 /* ---- after the sweep ------------------------------------------------------------------------- */
 
 /* Called when all iterations are recorded: are owners by address still expected to be faster than
- * the original loop? */
+ * the original loop? If not, the plan is not built. */
 static bool index_pays(const struct chooser *chooser, const struct inspection *inspection,
                        bool reusable) {
     struct arm arm[WAY_COUNT];
@@ -475,16 +476,16 @@ const struct method *redcc_advise_swept(const struct chooser *chooser,
 
 /* ---- after the log and the partition --------------------------------------------------------- */
 
-/* As stealing_pays, for owners chosen by the access graph. Their iterations may be scattered over
- * the loop. */
+/* As stealing_pays, for owners chosen by the access graph. It assumes that their iterations are
+ * scattered over the loop. */
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
                               double overhead) {
     const struct estimate found = {.share = share, .overhead = overhead, .changes = 1};
     return stealing_pays(chooser, call, &found);
 }
 
-/* auto tries stealable blocks if the owners' parts are large. The cost of the blocks is known only
- * once they exist. */
+/* auto tries stealable blocks if the owners have many units each. The cost of the blocks is known
+ * only once they exist. */
 const struct method *redcc_advise_logged(const struct chooser *chooser,
                                          struct inspection *inspection, bool reusable) {
     const struct call *call = inspection->call;
@@ -518,8 +519,9 @@ static bool goes_without_stealing(const struct chooser *chooser,
                               (double)(with - without) / trip);
 }
 
-/* Would levels be faster than the owners chosen by the access graph? If these owners are unbalanced
- * and the deadline permits, computes the levels to decide. */
+/* Would executing levels be faster than executing by the owners that the access graph gave?
+ * Computes the levels to decide, but only if these owners are unbalanced and the deadline
+ * permits. */
 static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;

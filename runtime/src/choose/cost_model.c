@@ -3,9 +3,10 @@
 
 #include <assert.h>
 
-/* The time of an execution by owners, relative to that of the original loop. Loops with irregular
- * rows that are prefetched take 0.42 to 0.57. With lanes one thread takes 0.3 to 0.9. The credit
- * may be spent on such a gain, but no overdraft is allowed for it (learn/learner.h). */
+/* The expected time of an execution by owners, divided by that of the original loop; without the
+ * shares of the threads. Measured: loops with irregular rows that are prefetched take 0.42 to 0.57,
+ * and one thread with lanes takes 0.3 to 0.9. Plans may be paid from the credit for such a gain,
+ * but no overdraft is allowed for it (learn/learner.h). */
 static double by_owners(const struct findings *it) {
     const double waiting = it->fetched ? LEARN_CLEAR * LEARN_BETTER : 1;
     return waiting * (it->threads > 1 ? LEARN_CONTENDED
@@ -13,13 +14,14 @@ static double by_owners(const struct findings *it) {
                                       : 1);
 }
 
-/* Seconds per iteration to begin runs of iterations. The threads divide the runs evenly. */
+/* Seconds per iteration for beginning runs of iterations. The runs are assumed to be divided evenly
+ * among the threads. */
 static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }
 
-/* Seconds to record an iteration: for its touches or, if that is longer, for its slice, which finds
- * them. */
+/* Seconds to record an iteration: the time for its touches or, if that is longer, the time of its
+ * slice. */
 static double recording(const struct findings *it) {
     const double touches = it->touches * LEARN_TOUCH;
     return touches > it->slice ? touches : it->slice;
@@ -33,8 +35,9 @@ static void by_copies(const struct findings *it, struct arm *arm) {
                      it->copied * (it->reusable ? LEARN_BYTE : 4 * LEARN_BYTE) / trip;
 }
 
-/* Estimates owners by address. An iteration whose owners differ from those of the iteration before
- * costs more: it begins a new run, and checks the owner of each row that it writes. */
+/* Estimates owners by address. If an iteration touches other owners than the iteration before, it
+ * begins a new run, and must check the owner of each row that it writes. Therefore it costs
+ * more. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
     const double swept = recording(it) + it->runs * 2 * LEARN_ROW;
@@ -45,8 +48,9 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Estimates owners by the access graph. They are useless if owners by address are balanced, for
- * loops over pairs, whose graph has no good partition, and for a single execution. */
+/* Estimates owners by the access graph. They are not used if owners by address are balanced, or if
+ * a plan would be executed only once. Loops over pairs do not use them either, because their graph
+ * has no good partition. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = recording(it) + it->touches * 6 * LEARN_TOUCH +
                                 it->further_rows * LEARN_ROW + it->leading_rows * 1.5 * LEARN_ROW;

@@ -12,25 +12,24 @@ struct findings {
     double spent;      /**< seconds that this inspection has taken so far */
     double share;  /**< fraction of the iterations that the most loaded thread executes, with owners
                       by address */
-    double direct; /**< as `share`, if threads find their iterations during execution; 0: that is
-                      not possible */
+    double direct; /**< as `share`, for threads that find their iterations during execution; 0: they
+                      cannot */
     double touches;      /**< number of touches per iteration */
     double leading_rows; /**< number of different rows of the leading group per iteration */
     double further_rows; /**< number of different rows of the other groups per iteration */
-    /** seconds of an iteration's slice; 0: unknown, or as long as estimated from its touches */
+    /** seconds of an iteration's slice; 0: unknown, or about as estimated from the touches */
     double slice;
     double
         runs; /**< fraction of the iterations that touch other owners than the iteration before */
-    bool fetched;  /**< accesses are irregular and their data exceed the caches, but plans prefetch
-                      them */
+    bool fetched;  /**< accesses are irregular, the data exceed the caches, and plans prefetch */
     bool tiled;    /**< the loop is over pairs, and can be cut into tiles */
-    bool lanes;    /**< plans use the vector form of the loop, if that is faster */
+    bool lanes;    /**< plans use the loop's vector form, because that is faster */
     double copied; /**< size of a private copy in bytes; 0: private copies are not permitted or not
                       possible */
     bool binned;   /**< the loop can be binned */
     bool bins_known; /**< the sample suggests that binning pays */
-    /** seconds that binning adds to an execution, to merge private copies and to execute the slices
-     * for the overlap guard */
+    /** seconds that binning adds to each execution: merging private copies, and executing the
+     * slices for the overlap guard */
     double bin_more;
     bool reusable;  /**< the plan can be kept */
     double checked; /**< number of bytes of subscripts that are compared before a plan is reused */

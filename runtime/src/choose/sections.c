@@ -12,19 +12,20 @@ enum {
     MOST_SHARES = 16,
     /* Shorter loops are not worth a call of the runtime. */
     LEAST_ITERATIONS = 8192,
-    /* As LEAST_ITERATIONS, for iterations with inner loops or calls, if a copy has no more elements
-     * than the loop has iterations. */
+    /* As LEAST_ITERATIONS, for loops whose iterations have inner loops or calls. It applies if a
+     * copy has no more elements than the loop has iterations. */
     LEAST_HEAVY = 512,
-    /* More than two shares are used only with this many updates per element of all copies together.
-     * Merging an element into the array and clearing it takes a third of an update's time. Two
-     * shares need only one update per element, because they halve the time. More shares gain
-     * nothing on two cores, so their merge must be cheap (script/bench openmp). */
+    /* More than two shares are used only if there are this many updates per element of all copies
+     * together. Merging an element into the array and clearing it takes a third of an update's
+     * time. Two shares need only one update per element, because they halve the time. More shares
+     * gain nothing on two cores, so their merge must be cheap (script/bench openmp). */
     ITERATIONS_PER_ELEMENT = 12,
-    /* An iteration with inner loops or calls counts as this many updates. */
+    /* Number of updates that an iteration with inner loops or calls counts as. */
     HEAVY = 8
 };
 
-/* Maximum size of all copies in bytes: several times the last-level cache of a few cores. */
+/* Maximum size of all copies in bytes. It is several times the size of the last-level cache of a
+ * few cores. */
 static const size_t most_bytes = (size_t)64 << 20;
 
 static struct range range_of(redcc_extent section) {
@@ -96,8 +97,7 @@ int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *b
 
 /* ---- how many threads ------------------------------------------------------------------------ */
 
-/* If an execution takes longer than this time in seconds, waking the threads is a small part of it.
- */
+/* Seconds. In an execution that takes longer, waking the threads is a small part. */
 #define WORTH_WAKING 0.3e-3
 enum { FEW_CALLS = 1024 };
 
@@ -138,7 +138,7 @@ void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, doub
         return;
     }
     if (arm != redcc_arm_of(pace->timed)) { /* `arm` is not the next one: one thread was not tried,
-                                               because the executions took long */
+                                               because executions took long */
         if (arm == 1 || seconds / (double)trip > pace->least[0])
             return;
         *pace = (struct paired_timing){0};

@@ -10,10 +10,10 @@
 #include <assert.h>
 #include <stdatomic.h>
 
-/* Measurements over all loops, in seconds: the time to wake a region's threads (smoothed), and the
- * time to start one thread (the last measurement). 0: not measured yet. If other programs use the
- * cores, new threads wait for a time slice. If the program's own regions have started the threads,
- * a loop's first region takes a quarter of the time to start them. */
+/* `wake`: the measured seconds to wake a region's threads (smoothed). `start`: the measured seconds
+ * to start one thread (the last measurement). Both are for all loops; 0: not measured yet.
+ * time_slice: if other programs use the cores, a new thread waits about as long. first_region: if
+ * the program's own regions have started the threads, a loop's first region takes about as long. */
 static _Atomic double wake, start;
 static const double first_wake = LEARN_SAMPLE / 40, time_slice = 10 * LEARN_SAMPLE,
                     first_region = LEARN_SAMPLE / 4;
@@ -25,7 +25,7 @@ double redcc_wake_seconds(void) {
 
 /* The number of running threads is queried at most once in this time, in seconds. A query takes 4
  * microseconds, but 15 to 400 microseconds after a loop whose data filled the caches. The result is
- * not reused for longer, because another program may have run only for a moment. */
+ * not used for longer, because another program may have run only for a moment. */
 static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
@@ -76,8 +76,8 @@ void redcc_note_waking(double seconds, int started) {
         atomic_store_explicit(&start, seconds / started, memory_order_relaxed);
         return;
     }
-    const double most = 5 * first_wake; /* if it takes longer, the machine is busy, and loops are
-                                           compared nevertheless */
+    const double most = 5 * first_wake; /* if waking takes longer, the machine is busy, and longer
+                                           times must not prevent that loops are tried */
     const double now = seconds < most ? seconds : most, before = redcc_wake_seconds();
     atomic_store_explicit(&wake, before + (now - before) / (2 * LEARN_STABLE),
                           memory_order_relaxed);

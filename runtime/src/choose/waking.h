@@ -6,22 +6,23 @@
 
 #include <stdbool.h>
 
-/** The seconds that it takes to wake the threads of a region. */
+/** The expected seconds to wake the threads of a region. */
 double redcc_wake_seconds(void);
 
-/** The seconds until a region has started `missing` threads, at least 0.1 ms. `wanted`: other
- * programs run on the processors that these threads would need. */
+/** The expected seconds until a region has started `missing` threads, at least 0.1 ms. `wanted`:
+ * other programs run on the processors that these threads would need. */
 double redcc_start_seconds(int missing, bool wanted);
 
-/** The seconds that a region of `threads` threads needs to start those that do not exist, under the
- * current load; 0: all exist. Querying the load is expensive compared with a light loop. */
+/** The expected seconds to start those of `threads` threads that do not exist yet, under the
+ * current load; 0: all exist. Querying the load is expensive compared with a loop of short
+ * iterations. */
 double redcc_likely_start(int threads);
 
 /** A lower bound of redcc_likely_start, without querying the load. */
 double redcc_least_start(int threads);
 
-/** Records that starting `started` threads took `seconds` or, if `started` is 0, that waking all
- * threads of a region did. seconds == 0: unknown. */
+/** Records a measurement: starting `started` threads took `seconds` or, if `started` is 0, waking
+ * all threads of a region took `seconds`. seconds == 0: unknown. */
 void redcc_note_waking(double seconds, int started);
 
 #endif

@@ -71,8 +71,9 @@ static double error_of(double a, double b, double sum) {
     return (a - a_part) + (b - b_part);
 }
 
-/* Adds the saved value to the contribution in *element, and returns the rounding error. If the
- * contribution is the neutral element, the error is 0 and *element gets the saved value. */
+/* *element holds the contribution. Adds `before`, the element's saved value, to it and returns the
+ * rounding error. If the contribution is the neutral element, the error is 0 and *element gets the
+ * saved value. */
 static double add_to_float(float *element, double before) {
     const double value = (double)*element, sum = before + value;
     *element = (float)sum;

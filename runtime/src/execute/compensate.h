@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Compensated sums of floats and doubles, by Neumaier (Zeitschrift fuer angewandte Mathematik und
- * Mechanik 54, 1974). The rounding errors of each element are accumulated in double and added at
- * the end of the loop.
+ * Compensated sums of floats and doubles, by the method of Neumaier (Zeitschrift fuer angewandte
+ * Mathematik und Mechanik 54, 1974). The rounding errors of each element are accumulated in double,
+ * and their sum is added to the element at the end of the loop.
  *
- * A contribution is rounded to the element's type. If a sum is infinite or NaN, its error is not
- * added, so that the element has the value of the plain sum.
+ * A contribution is rounded to the element's type before it is added. If an element is infinite or
+ * NaN, its error is not added, so that it has the value of the plain sum.
  */
 #ifndef REDCC_COMPENSATE_H
 #define REDCC_COMPENSATE_H

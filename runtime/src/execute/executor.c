@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The executor, which is the same for all methods: it hands out chunks, waits between stages, and
- * merges copies.
+ * The executor, which is the same for all methods: redcc_next hands out chunks, waits between
+ * stages, and merges copies. The steps of a thread are:
  *
- *     STEP_BEGIN: the first call of redcc_next, which continues with
+ *     STEP_BEGIN: the first call; continues with
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
  *     STEP_REST: sequential iterations of a binned loop, by the first thread  -> STEP_END
@@ -27,8 +27,9 @@ static int team_size(const struct plan *plan, int team) {
            redcc_team_first(plan->threads, plan->teams.count, team);
 }
 
-/* Sets the bases to which the thread writes: those of the arrays (number < 0), or those of a copy.
- * The base of a copy is the address that the array's first element would have in it. */
+/* Sets the bases to which the thread writes: those of the arrays (number < 0), or those of copy
+ * number `number`. A copy need not contain an array's first element; its base is the address that
+ * this element would have in the copy. */
 static void place_bases(struct runner *runner, int number) {
     const struct plan *plan = runner->plan;
     void *const *bases = runner->run->call->request.bases;
@@ -118,17 +119,17 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* The number of iterations that the thread executes. With work stealing, it is the average over the
- * threads. */
+/* The number of iterations that the thread will execute. With work stealing, it is the average over
+ * the threads. */
 static redcc_int iterations_of(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan->method->steals ? plan->executed / plan->threads
                                 : plan->schedule[runner->schedule].iterations;
 }
 
-/* Begins a selection. If iterations that touch nothing must be executed, each thread gets a share
- * of them. Otherwise one thread executes the last iteration even if it touches nothing, because
- * variables that are used after the loop get their values there. */
+/* Begins a selection: the thread finds its own iterations. If iterations that touch nothing must be
+ * executed, each thread gets a share of them. Otherwise one thread executes the last iteration even
+ * if it touches nothing, because variables that are used after the loop get their values there. */
 static void begin_selecting(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -244,8 +245,9 @@ bool redcc_run_again(redcc_worker *worker) {
     return is_left;
 }
 
-/* Hands out iterations in order. After iterations that were repeated for validation, compares the
- * results, and continues with the rest of a binned loop. */
+/* Hands out iterations in order. When the iterations that were repeated for validation are done,
+ * compares the results, and continues with the rest of a binned loop. Returns 0 if no iteration is
+ * left. */
 static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run *run = runner->run;
@@ -299,8 +301,8 @@ static void raise_flag(const struct plan *plan, const struct chunk *chunk) {
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
-/* Switches to the share's copy. With COPY_LATER a single thread has one copy for all shares after
- * the first, and merges it before the next share begins. */
+/* Switches to the copy of share number `share`. With COPY_LATER, a single thread has one copy for
+ * all shares after the first. Before the next share begins, it merges that copy. */
 static void begin_share(struct runner *runner, uint32_t share) {
     const struct plan *plan = runner->plan;
     if (plan->method->copies == COPY_LATER && plan->threads == 1 && share > 1)
@@ -308,8 +310,8 @@ static void begin_share(struct runner *runner, uint32_t share) {
     place_bases(runner, redcc_copy_of_share(plan, share));
 }
 
-/* Waits for the stages and flags that `chunk` needs, and switches to the copy to which it writes.
- */
+/* Waits for the stages and flags that `chunk` needs, and switches to the copy to which the chunk
+ * writes. */
 static void prepare_chunk(struct runner *runner, const struct chunk *chunk) {
     const struct plan *plan = runner->plan;
     const uint32_t *wait = plan->schedule[runner->schedule].wait;
@@ -320,7 +322,7 @@ static void prepare_chunk(struct runner *runner, const struct chunk *chunk) {
         begin_share(runner, chunk->copy);
 }
 
-/* If the current timing slice is complete, begins the next slice, with its variant. */
+/* If the current timing slice is complete, begins the next slice, and switches to its variant. */
 static void advance_to_slice(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
@@ -338,8 +340,8 @@ static size_t read_runs(redcc_worker *worker) {
     return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
 }
 
-/* Hands out runs of the current chunk: all remaining runs if they need no change, otherwise some of
- * them. False: no run is left. */
+/* Hands out runs of the current chunk: all remaining runs if they can be handed out as they are,
+ * otherwise some of them, copied to runner->piece. Returns false if no run is left. */
 static bool hand_out_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run_reader *runs = &runner->runs;
@@ -397,7 +399,7 @@ static bool advance_to_chunk(redcc_worker *worker) {
 }
 
 /* Hands out runs of classified iterations or, if there are none, a request to classify the next
- * iterations. Discards the errno that slices set. */
+ * iterations. Clears errno after a request, because the program's slices may have set it. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -423,8 +425,8 @@ static int hand_out_selected(redcc_worker *worker) {
     return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
-/* Hands out the next tile. A run with the tile's rows is set only because errno is recorded with an
- * iteration. */
+/* Hands out the next tile. It also sets a run with the tile's rows; only recording errno needs this
+ * run. */
 static int hand_out_tile(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_tile *tile =
@@ -471,10 +473,11 @@ static int next_chunk(redcc_worker *worker) {
     return 0;
 }
 
-/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the last
- * failing chunk is stored together with `end`, one past the chunk's last iteration: 2 * (end + 1) +
- * (ERANGE ? 1 : 0). If iterations in several threads fail with different errors, the stored error
- * may differ from that of the sequential loop. */
+/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. run->error describes
+ * the last chunk, in the order of the loop, in which this happened. Its value is 2 * (end + 1) +
+ * (ERANGE ? 1 : 0), where `end` is one past the chunk's last iteration. If iterations in several
+ * threads fail with different errors, the stored error may differ from that of the sequential
+ * loop. */
 void redcc_note_error(struct run *run, redcc_int end) {
     assert(end >= 0);
     const int error = errno;

@@ -6,8 +6,8 @@
 /** Values of REDCC_LANES. */
 enum lanes_setting { LANES_OFF, LANES_AUTO /* if the loop and the processor permit it */ };
 
-/** Why an execution uses the vector form or not: identifier, slug, meaning. docs/report.md lists
- * the slugs, and a test compares the two lists. */
+/** Why an execution uses the vector form, or why not: identifier, slug, meaning. docs/report.md
+ * lists the slugs, and a test compares the two lists. */
 #define REDCC_LANES_LIST(X)                                                                        \
     X(LANES_NOT_WRITTEN, "not-written", "the loop has no form for vectors")                        \
     X(LANES_SAID_OFF, "off", "`REDCC_LANES=off`")                                                  \

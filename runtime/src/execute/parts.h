@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Divides a thread's iterations of one execution into timing slices, for a trial that compares
- * variants. */
+/** Divides the iterations that a thread executes in one execution into timing slices, for a trial
+ * that compares variants. */
 #ifndef REDCC_EXECUTE_PARTS_H
 #define REDCC_EXECUTE_PARTS_H
 
@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-/** One thread's timing slices, which the code calls parts. count == 0: there is no trial. */
+/** One thread's timing slices. The code calls a slice a part. count == 0: there is no trial. */
 struct parts {
     unsigned count;
     unsigned number; /* index of the current slice */
@@ -21,12 +21,11 @@ struct parts {
     } part[VARIANT_PARTS];
 };
 
-/** Begins slice 0 of `count` (at most VARIANT_PARTS). `iterations` is the total number of
- * iterations. */
+/** Begins slice 0 of `count` slices (at most VARIANT_PARTS). `iterations` is the total number of
+ * iterations of the thread. */
 void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations);
 
-/** If the current slice has no iterations left, ends it and begins the next one. Returns whether it
- *  did. */
+/** If the current slice has no iterations left, ends it, begins the next one, and returns true. */
 bool redcc_parts_next(struct parts *it);
 
 /** Ends the current slice, if any. */

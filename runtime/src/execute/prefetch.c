@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/prefetch.h"
 
-/* The size of arrays in bytes below which prefetches do not help. The second-level caches of
- * current cores have 0.25 to 2 MiB, and accesses to them overlap with other operations. */
+/* Prefetches do not help if arrays are smaller than this number of bytes. The second-level caches
+ * of current cores have 0.25 to 2 MiB, and accesses to them overlap with other operations. */
 enum { LEAST_BYTES = 1 << 20 };
 
-/* The same limit for light loops. With random updates, they were faster with prefetches if arrays
- * had 10 MB, and slower if they had 5 MB (script/bench lanes, SIDE=650 and 467). The shared cache
- * of that machine, 32 MiB, also holds the data that are read. */
+/* The same limit for loops of short iterations. With random updates, they were faster with
+ * prefetches if arrays had 10 MB, and slower if they had 5 MB (script/bench lanes, SIDE=650 and
+ * 467). The shared cache of that machine, 32 MiB, also holds the data that are read. */
 enum { LEAST_BYTES_LIGHT = 8 << 20 };
 
-/* Average number of iterations of a run; longer runs mean regular accesses. */
+/* Accesses count as irregular if runs have fewer iterations than this on average. */
 enum { SHORT_RUN = 4 };
 
 bool redcc_prefetch_is_possible(const struct plan *plan) {

@@ -18,9 +18,9 @@ enum prefetch_setting {
 /** Are prefetches possible with this plan? Only if it writes to the arrays themselves. */
 bool redcc_prefetch_is_possible(const struct plan *plan);
 
-/** Can prefetches pay with this plan? They must be possible, and the arrays larger than a core's
- * caches. For light iterations, the arrays must also be larger than a share of the shared cache,
- * and accesses irregular. */
+/** May prefetches pay with this plan? They must be possible, and the arrays larger than a core's
+ * caches. For loops of short iterations, the arrays must also be larger than a share of the shared
+ * cache, and accesses irregular. */
 bool redcc_prefetch_is_of_use(const struct plan *plan, bool is_light);
 
 #endif

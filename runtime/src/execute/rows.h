@@ -7,11 +7,11 @@
 
 struct redcc_kept_row;
 
-/** Sets `bytes` bytes to neutral elements of the array's operator. If the type has no neutral
- * element, sets them to 0. */
+/** Sets `bytes` bytes to neutral elements of the array's operator; to 0 if there is no neutral
+ * element for its type. */
 void redcc_rows_fill(const redcc_array *array, void *values, redcc_size bytes);
 
-/** Adds the rows in `kept` to their arrays in order, if the thread owns them: each under its lock,
+/** Adds those rows in `kept` that the thread owns to their arrays, in order: each under its lock,
  * or as one contribution to compensated sums. */
 void redcc_rows_settle(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
 

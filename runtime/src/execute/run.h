@@ -16,7 +16,7 @@
 
 enum { REDCC_RUNS = 128 };
 
-/** The variants from which an execution chooses, and the results of earlier executions. */
+/** The variants between which an execution chooses, and the results of earlier executions. */
 struct variant_choice {
     const struct variants *known;
     bool is_open;  /* trials decide whether to use prefetches */
@@ -39,7 +39,7 @@ struct run {
         blocks_claimed; /* number of stealable blocks, or bands of tiles, that threads have taken */
     /* Times in seconds: */
     double ready;    /* when the plan was ready */
-    double executed; /* with validation: when the loop was executed; otherwise 0 */
+    double executed; /* with validation: when the execution had ended; otherwise 0 */
 };
 
 /** What a thread's redcc_next hands out. */
@@ -57,15 +57,15 @@ struct runner {
     const struct plan *plan; /* the plan that is executed */
     int thread;
     int threads;
-    struct float_control float_control; /* the thread's own settings, while it uses those of the
-                                           thread that entered the loop */
+    struct float_control float_control; /* the thread's own state, stored while the thread uses that
+                                           of the thread that entered the loop */
     enum step step;
     uint32_t schedule; /* index of the schedule that is being executed */
     uint32_t stage;    /* the current stage of the plan */
     struct hooks hooks;
     struct run_reader runs;             /* the remaining runs of the current chunk */
-    redcc_iterations piece[REDCC_RUNS]; /* the runs that were handed out, if they had to be
-                                           unpacked, marked for owner checks, or split */
+    redcc_iterations piece[REDCC_RUNS]; /* the runs that were handed out, if they were packed, had
+                                           to be marked for owner checks, or had to be split */
     struct parts parts;                 /* the timing slices of a trial */
     redcc_iterations whole; /* the iterations that were handed out in order, without a plan */
     redcc_int in_order_end; /* one past the last iteration to hand out in order */
@@ -81,39 +81,40 @@ void redcc_run_begin(struct run *run);
 /** Chooses the variants of this execution, from run->call. `known` must outlive the run. */
 void redcc_run_choose_variant(struct run *run, const struct variants *known);
 
-/** The number of timing slices of an execution with the plan; 0 if variants are not compared. */
+/** The number of timing slices of an execution by this plan; 0 if variants are not compared. */
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan);
 
-/** The variant of the timing slice with number `part`. Without a trial, slice 0 is the whole
+/** The variant that is used in timing slice number `part`. Without a trial, slice 0 is the whole
  * execution. */
 redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, unsigned part);
 
-/** After the execution: records seconds and iterations of each slice, summed over the threads. */
+/** Called after the execution: records the seconds and the iterations of each slice, each summed
+ * over the threads. */
 void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,
                             const double *iterations);
 
-/** Makes the thread's redcc_next hand out the iterations from `from` on, in order; they write to
- * the arrays. from == trip: none. */
+/** Makes the thread's redcc_next hand out the iterations from `from` on, in order, with the arrays'
+ * own bases. If `from` is the trip count, it hands out none. */
 void redcc_run_rest(redcc_worker *worker, redcc_int from);
 
 /** As redcc_run_rest, for the iterations from `begin` to before `end`. */
 void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end);
 
-/** For validation: makes the first thread's redcc_next hand out the iterations before `end` again,
- * after the arrays' saved contents were restored. Then the two results are compared, and the rest
- * of the loop follows. All threads must have finished these iterations. */
+/** For validation: makes the first thread's redcc_next hand out the iterations before `end` again.
+ * All threads must have finished them, and the arrays' saved contents must have been restored.
+ * After that the results are compared, and redcc_next hands out the rest of the loop. */
 void redcc_run_check(redcc_worker *worker, redcc_int end);
 
 /** Called after the loop: prepares the thread to execute all iterations again, in order, without
  * owning any element. */
 void redcc_run_own_nothing(redcc_worker *worker);
 
-/** Hands out some of the iterations that redcc_run_own_nothing prepared. False: no iteration is
+/** Hands out some of the iterations that redcc_run_own_nothing prepared. Returns false if none is
  * left. */
 bool redcc_run_again(redcc_worker *worker);
 
-/** Called if errno is not 0 after iterations that end before `end`. Records errno for
- * redcc_error_of, and clears it. */
+/** Called if errno is not 0 after iterations of which the last has number `end` - 1. Records errno
+ * for redcc_error_of, and clears it. */
 void redcc_note_error(struct run *run, redcc_int end);
 
 /** The value that the loop's mathematical functions have given errno; 0: none. */

@@ -44,14 +44,14 @@ static uint64_t load_eight(const unsigned char *class) {
            (uint64_t) class[6] << 48 | (uint64_t) class[7] << 56;
 }
 
-/* Gathers the lowest bits of eight bytes. The product's highest byte is the sum of eight shifted
- * copies, in each of which one of the bits is in its place. */
+/* Gathers the lowest bits of eight bytes in one byte. The multiplication adds eight shifted copies
+ * of `eight`. In its highest byte, each bit comes from another copy. */
 static uint64_t gather_lowest(uint64_t eight) {
     return (eight & 0x0101010101010101u) * 0x0102040810204080u >> 56;
 }
 
-/* The bits of the iterations from `begin` to before `end` in the word that begins with iteration
- * `first`. */
+/* The bits of the iterations from `begin` to before `end`, in the word whose lowest bit belongs to
+ * iteration `first`. */
 static uint64_t bits_between(redcc_int begin, redcc_int end, redcc_int first) {
     const redcc_int low = begin > first ? begin - first : 0, high = end - first;
     if (low >= WORD || high <= low)
@@ -59,7 +59,8 @@ static uint64_t bits_between(redcc_int begin, redcc_int end, redcc_int first) {
     return (high >= WORD ? UINT64_MAX : ((uint64_t)1 << high) - 1) & UINT64_MAX << low;
 }
 
-/* Stores the classes as bits. An iteration that touches nothing is executed by one thread only. */
+/* Stores the classes as bits. The thread does not execute an iteration that touches nothing, unless
+ * it is in [idle_begin, idle_end). */
 static void set_bits(struct selection *selection, const redcc_worker *worker) {
     for (redcc_int w = 0; w < REDCC_SELECTED_WORDS; w++) {
         const redcc_int first = worker->first + w * WORD;
@@ -78,8 +79,8 @@ static void set_bits(struct selection *selection, const redcc_worker *worker) {
     }
 }
 
-/* The number of iterations from bit `bit` of a word to before the first bit that is set in `ends`,
- * or to the word's end. */
+/* The number of bits from bit `bit` of a word to before the next bit that is set in `ends`, or to
+ * the word's end. */
 static redcc_int length_until(uint64_t ends, unsigned bit) {
     const redcc_int left = (redcc_int)(WORD - bit);
     const redcc_int length = ends >> bit ? __builtin_ctzll(ends >> bit) : left;
@@ -91,8 +92,8 @@ static uint64_t all_if(bool is_set) {
     return is_set ? UINT64_MAX : 0;
 }
 
-/* The classes may be in random order. Therefore this function branches once for each run, not for
- * each iteration. */
+/* Branches once for each run, not once for each iteration, because classes in random order would
+ * make such branches unpredictable. */
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations) {
     const redcc_int count = worker->last - worker->first;

@@ -9,13 +9,13 @@ void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid) {
 }
 
 /* The index of a band's flag. Flags are reused: at most as many bands as threads are in progress,
- * and only the flag of the band above the first of these is still read. */
+ * and besides theirs only the flag of the band above the first of them is still read. */
 static uint32_t flag_of(const struct plan *plan, uint32_t band) {
     return TILE_FLAG_WORDS * (1 + band % ((uint32_t)plan->threads + 1));
 }
 
-/* The value of the band's flag after `done` blocks, modulo 2^32. Flags are not reset, so the value
- * grows from band to band that share a flag, and from execution to execution of the plan. */
+/* The value of the band's flag after `done` blocks, modulo 2^32. Flags are not reset. Therefore the
+ * value grows with the bands that share the flag, and with each execution of the plan. */
 static unsigned value_of(const struct plan *plan, const struct tile_grid *grid, uint32_t band,
                          uint32_t done) {
     return (plan->round * grid->bands + band) * (grid->bands + 1) + done;
@@ -48,8 +48,8 @@ static void pass_on(struct tile_walk *walk, const struct plan *plan) {
                      value_of(plan, grid, walk->band, walk->block));
 }
 
-/* sums_flag is the index of the flag that counts the bands whose operands have been added to the
- * sums. sums_of is the flag's value after `bands` bands. */
+/* sums_flag: the index of the flag that counts the bands whose operands have been added to the
+ * sums. sums_of: the value of that flag after `bands` bands. */
 static uint32_t sums_flag(const struct plan *plan) {
     return TILE_FLAG_WORDS * ((uint32_t)plan->threads + 2);
 }

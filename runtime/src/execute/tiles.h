@@ -3,19 +3,19 @@
  * The tiles of a loop over pairs. Rows (the loop's iterations) are cut into bands, and columns (the
  * values of the inner counter) into blocks at the same values. Tile (I, J) is band I times block J:
  *
- *     J    0  1  2  3            Here columns are above their rows. A thread takes a band and
+ *     J    0  1  2  3            Here columns are above rows. A thread takes a band and
  *   I 0    a  a  a  a            executes its tiles from left to right, each after the tile above
  *     1       b  b  b            it. Then it takes the next band that no thread has taken. Thread b
  *     2          a  a            follows a, one block behind it.
  *     3             b
  *
- * Before (I, J) all other tiles (I', J') with I' <= I and J' <= J are done: those on the left by
- * the same thread, and by induction those above. So of two pairs that have an element in common,
+ * Before tile (I, J), all other tiles (I', J') with I' <= I and J' <= J are done: those on its left
+ * by the same thread, and by induction those above. So of two pairs that have an element in common,
  * the one that comes first in the loop is executed first (docs/soundness.md).
  *
- * Bands are taken in order, and a thread waits only for a band before its own, so the thread
- * with the first unfinished band never waits. Floating sums get the operands of one band after the
- * other (redcc/series.h).
+ * Bands are taken in order, and a thread waits only for a band before its own, so the thread with
+ * the first unfinished band never waits. The operands of floating sums are added band by band
+ * (redcc/series.h).
  */
 #ifndef REDCC_EXECUTE_TILES_H
 #define REDCC_EXECUTE_TILES_H
@@ -32,13 +32,13 @@ struct tile_walk {
     uint32_t block;  /* number of its next block */
     redcc_tile tile; /* the tile that was handed out last */
     bool has_band;
-    bool is_handed; /* the tile before `block` was handed out, and the next call marks it as done */
+    bool is_handed; /* the tile before `block` was handed out; the next call marks it as done */
 };
 
 void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);
 
-/** Waits until the thread's next tile may be executed, and returns this tile. *claimed counts the
- * bands that threads have taken. NULL: no tile is left. */
+/** Waits until the next tile of the thread may be executed, and returns this tile. *claimed counts
+ * the bands that threads have taken. NULL: no tile is left. */
 const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
                                    atomic_uint *claimed);
 

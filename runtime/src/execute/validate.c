@@ -116,8 +116,9 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* The distance of two floating-point values, in representable values. Their bits, read as
- * integers, have the order of the values; in reverse if both are negative. */
+/* The distance of two floating-point values: the number of steps between neighbouring representable
+ * values. The bits of non-negative values, read as integers, have the order of the values; those of
+ * negative values have the reverse order. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \
@@ -153,7 +154,7 @@ static double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-/* The difference in units in the last place (ulps). For types other than floating-point types, it
+/* The difference in units in the last place (ulps). For types that are not floating-point types, it
  * is 0 or infinite. */
 static double ulps(redcc_type type, size_t size, const char *p, const char *q) {
     switch (type) {
@@ -182,8 +183,8 @@ static bool is_nan(redcc_type type, const char *p) {
     return f != f || d != d;
 }
 
-/* Do the two elements differ in a relevant bit? The bits of NaNs and the padding of a long double
- * are ignored. */
+/* Do the two elements differ in bits that count? Different NaNs count as equal, and the padding of
+ * a long double does not count. */
 static bool differ(redcc_type type, size_t size, const char *p, const char *q) {
     const size_t counted = type == REDCC_LONG_DOUBLE && LDBL_MANT_DIG == 64 ? 10 : size;
     return memcmp(p, q, counted) != 0 && !(is_nan(type, p) && is_nan(type, q));

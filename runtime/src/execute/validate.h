@@ -7,12 +7,12 @@
  * If the sequential loop's bits are promised, an element with other bits is an error. An integer
  * with another value is an error under any order. For floating sums in another order, only the
  * largest difference is reported. NaNs count as equal, whatever their bits. An execution is not
- * compared if another thread executes the same loop at the same time. Nor is a loop with a
- * scattered array, because memory between its elements must not be copied.
+ * validated if another thread executes the same loop at the same time. Nor is it if an array is
+ * scattered, because memory between its elements must not be copied.
  *
  * With a plan, the written range is known before the loop runs. For a binned loop it is known only
- * before each round's updates are applied, so that the copies grow from round to round. If a binned
- * loop continues sequentially, the iterations up to that point are compared.
+ * before each round's updates are applied. So the saved ranges grow from round to round. If a
+ * binned loop continues sequentially, only the iterations up to that point are compared.
  */
 #ifndef REDCC_VALIDATE_H
 #define REDCC_VALIDATE_H
@@ -29,8 +29,8 @@ struct plan;
 /** Results of REDCC_VALIDATE=1. */
 struct validated {
     long executions;  /* number of executions compared with the sequential loop */
-    long passed_over; /* number of executions not compared, because a scattered array cannot be
-                         copied */
+    long passed_over; /* number of executions that were not compared, because a scattered array
+                         cannot be copied */
     long broken;      /* number of executions with errors */
     atomic_long
         misnamed;      /* number of updates of rows that a slice did not name (redcc/parallel.h) */
@@ -43,11 +43,11 @@ struct validated {
 
 /** The saved contents of one array. */
 struct held {
-    char *memory; /* the contents before the loop, later the loop's results; NULL: nothing was
-                     touched */
+    char *memory; /* the contents before the loop, later the loop's results; NULL: nothing of the
+                     array is written */
     char *place;  /* address of the saved bytes in the array */
     size_t bytes;
-    bool in_order; /* the sequential loop's bits are promised, also for floating-point types */
+    bool in_order; /* the sequential loop's bits are promised, even for floating-point types */
 };
 
 /** The validation of one execution. If all fields are zero, there is none. */
@@ -65,22 +65,22 @@ struct written {
     struct range bytes;
 };
 
-/** Copies the contents of the plan's groups, for arrays at `bases`. If there is no memory or an
- * array is scattered, there is no validation. The latter is counted in *validated. Called by one
+/** Copies the contents of the plan's groups; the arrays begin at `bases`. There is no validation if
+ * memory runs out or an array is scattered; the latter is counted in *validated. Called by one
  * thread, while no thread writes to the arrays. */
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
                             void *const *bases, struct validated *validated);
 
-/** Without a plan: called before the bytes `written` of one of the loop's arrays are written.
- * Copies those that are not copied yet. In all other respects it is like redcc_validation_begin. */
+/** As redcc_validation_begin, for executions without a plan. Called before the bytes `written` of
+ * one of the loop's arrays are written. Copies those of these bytes that are not copied yet. */
 void redcc_validation_grow(struct validation *validation, const redcc_loop *loop,
                            void *const *bases, struct written written, struct validated *validated);
 
-/** Called after the loop: saves its results, and restores the arrays' previous contents. */
+/** Called after the loop: saves the loop's results, and restores the arrays' previous contents. */
 void redcc_validation_swap(struct validation *validation);
 
-/** Called after the repetition: compares the arrays at `bases` with the saved results, restores the
- * results, records differences in *validated, and frees the memory. */
+/** Called when the loop was repeated: compares the arrays at `bases` with the saved results,
+ * restores these results, records differences in *validated, and frees the memory. */
 void redcc_validation_end(struct validation *validation, const redcc_loop *loop, void *const *bases,
                           struct validated *validated);
 

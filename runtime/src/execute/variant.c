@@ -3,12 +3,12 @@
 
 #include <assert.h>
 
-/* The least number of iterations of a timing slice, so that a slice takes at least some
+/* The smallest number of iterations of a timing slice. A slice then takes at least some
  * microseconds. */
 enum { LEAST_PART = 512 };
 
-/* The minimum number of rounds of a trial. One round is not enough, because the first slice of an
- * execution finds cold caches. */
+/* The smallest number of rounds in one execution of a trial. One round would not do, because the
+ * first slice of an execution finds cold caches. */
 enum { LEAST_ROUNDS = 2 };
 
 static bool is_trial(const struct variants *it, bool open) {
@@ -29,8 +29,8 @@ bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
     return open && (is_trial(it, open) ? redcc_arm_of(it->pairs.timed + (int)part) == 0 : it->best);
 }
 
-/* Ends a trial. The next trial waits for four times the length of the back-off, which doubles with
- * each trial. */
+/* Ends a trial and stores the better variant. The next trial begins after four times the length of
+ * the back-off, which doubles with each trial. */
 static void end_trial(struct variants *it, bool best) {
     it->pairs = (struct paired_timing){0};
     it->best = best;

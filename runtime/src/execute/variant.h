@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Chooses between executing a loop with prefetches or without. Both give the same bits. In a trial,
- * timing slices alternate between the two (learn/paired_timing.h); then the faster variant is used
- * until the next trial. A long execution is divided into enough slices for a trial.
+ * Chooses between executing a loop with prefetches and without. Both give the same bits. In a
+ * trial, timing slices alternate between the two (learn/paired_timing.h). The faster variant is
+ * then used until the next trial. If an execution is long enough, it is divided into as many slices
+ * as the trial needs.
  */
 #ifndef REDCC_EXECUTE_VARIANT_H
 #define REDCC_EXECUTE_VARIANT_H
@@ -26,19 +27,20 @@ struct variants {
     bool best;                  /* did the variant with prefetches win the last trial? */
     long executions;            /* number of executions in which the choice was open */
     struct back_off
-        back_off; /* wait for the next trial, in executions in which the choice was open */
+        back_off; /* back-off of trials, counted in executions in which the choice was open */
 };
 
 /** The number of timing slices of an execution in which each thread executes `iterations`
- * iterations on average. It is as many as the trial still needs, if the iterations suffice; 0:
+ * iterations on average: as many as the trial still needs, if the iterations suffice for them. 0:
  * there is no trial. `open`: trials are allowed. */
 unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations);
 
-/** Does timing slice number `part` of the execution use prefetches? If the choice is open, slice 0
- * of the loop's first execution does. */
+/** Does timing slice number `part` of the execution use prefetches? If trials are allowed (`open`),
+ * slice 0 of the loop's first execution does. */
 bool redcc_variant_of(const struct variants *it, bool open, unsigned part);
 
-/** Records a finished execution: the seconds per iteration of each slice. One thread at a time. */
+/** Records an execution that has ended, with the seconds per iteration of each slice. Called by one
+ * thread at a time. */
 void redcc_variant_note(struct variants *it, bool open, unsigned parts, const double *seconds);
 
 #endif

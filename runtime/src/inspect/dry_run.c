@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The dry run: does the loop update data that determine which addresses its slice reads? Ranges
- * represent the touched and the read addresses, as in the overlap guard.
+ * The dry run: does the loop update data that determine which addresses its slice reads? As in the
+ * overlap guard, touched and read addresses are represented by ranges.
  *
- * Each array has a window, and each source a clear range; no window overlaps a clear range. A touch
- * in its array's window and a read in its source's clear range need no call of the runtime. If all
- * relevant read ranges are known, a window is the gap between two of them. Otherwise it is the
- * touched range with a margin on each side. A margin is as long as the range, but reaches at most
- * halfway to the next read range. Clear ranges lie between two windows. So a range that grows with
- * each iteration is processed a logarithmic number of times. A read in a margin need not overlap a
- * touched address. If it ends the run, a second run without margins follows.
+ * To make the common case fast, each array has a window and each source a clear range, and no
+ * window overlaps a clear range. So a touch in the array's window, or a read in the source's clear
+ * range, needs no call of the runtime. If all relevant read ranges are known, a window is the gap
+ * between two of them. Otherwise it is the touched range with a margin on each side. A margin is as
+ * long as the range, but reaches at most halfway to the next read range. Clear ranges lie between
+ * two windows. So a range that grows with each iteration is processed a logarithmic number of
+ * times. A read in a margin need not overlap a touched address. If it ends the run, a second run
+ * without margins follows.
  */
 #include "inspect/inspection.h"
 
@@ -53,8 +54,8 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     return !inspector->failed;
 }
 
-/* Makes the worker flush after one entry (and perhaps an iteration's end), so that each touch
- * outside of the windows is processed immediately. */
+/* Makes the worker call flush after a single entry (which the end of an iteration may follow), so
+ * that each touch outside of the windows is processed immediately. */
 static void expect_one(const struct inspector *inspector, redcc_worker *worker) {
     worker->entry = inspector->entries;
     worker->entry_end = inspector->entries + 1;
@@ -91,8 +92,8 @@ static bool is_all_known(const struct inspection *inspection) {
     return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
 }
 
-/* The range of a source that is read: the known range or, if reads are relevant, the recorded
- * range. */
+/* The range of a source that is read so far: its known range or, if the ranges of subscripts are
+ * not all known, the range that was recorded. */
 static struct range range_read(const struct inspection *inspection,
                                const struct inspector *inspector, uint32_t source) {
     const redcc_extent known = inspection->call->request.known[source];
@@ -145,8 +146,8 @@ static redcc_owner window_of(struct range range) {
     return (redcc_owner){.first = (const char *)range.first, .size = range.end - range.first};
 }
 
-/* Cuts clear ranges after a window has grown into them. Each keeps the side that contains its read
- * range. */
+/* Called after a window has grown: cuts the clear ranges that it overlaps. Each clear range keeps
+ * the side that contains its source's read range. */
 static void clear_of(struct inspection *inspection, struct inspector *inspector,
                      struct range window) {
     for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {

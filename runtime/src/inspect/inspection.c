@@ -19,8 +19,8 @@ void redcc_inspection_set_owners(struct inspection *inspection) {
                                        : (uint32_t)call->planned * each;
 }
 
-/* The maximum number of owners. With auto this includes stealable blocks, because auto may choose
- * them after the cut. */
+/* The maximum number of owners for which memory is needed. With auto it includes stealable blocks,
+ * because auto may add them after the cut. */
 static uint32_t most_owners(const struct call *call) {
     const uint32_t threads = (uint32_t)call->planned;
     if (!call->method)
@@ -30,7 +30,7 @@ static uint32_t most_owners(const struct call *call) {
     return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/* Begins a partition. If threads find their iterations during execution, reuses the owners of an
+/* Begins a partition. If threads find their iterations during execution, keeps the owners of an
  * earlier execution, because the result does not depend on the owners. */
 static bool begin_partition(struct inspection *inspection, bool is_direct) {
     const struct call *call = inspection->call;

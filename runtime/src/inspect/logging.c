@@ -2,7 +2,8 @@
 /** The access log: a sweep that stores all touches. The log is used to choose owners
  * (ownership/graph/divide.h) or to assign iterations to levels (ownership/graph/levels.h). Units
  * are numbered before the sweep, over a range slightly larger than that of the sample. If a touch
- * lies outside of this range, the sweep is repeated with the range that it found. */
+ * lies outside of this range, the sweep is repeated with the range that the first sweep has
+ * found. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
@@ -10,8 +11,8 @@
 #include <assert.h>
 #include <string.h>
 
-/* The approximate number of touches per iteration according to the sample: those of the leading
- * group, or those of the other groups. */
+/* The approximate number of touches per iteration, according to the sample: of the leading group if
+ * `leading` is set, otherwise of the other groups. */
 static double touches_an_iteration(const struct inspection *inspection, bool leading) {
     const struct partition *partition = &inspection->partition;
     double touches = 0, iterations = 1;

@@ -11,24 +11,24 @@
 #include "plan/method.h"
 #include "plan/tile_grid.h"
 
-/* A map of owners is used only if it reduces the most loaded share to this fraction, because its
- * owner checks are slower. */
+/* A map of owners is used only if it makes the most loaded owner's share at least this much smaller
+ * than cuts do: at most this fraction of it. Owner checks with a map are slower. */
 #define WORTH_A_MAP 0.9
 
-/* The iterations of a sample take at most this time in the loop, in seconds. Recording them and
- * computing estimates takes about ten times as long. `auto` expects a sample to take 0.4 ms,
- * including all threads. */
+/* The iterations of a sample take at most this time, in seconds, when the loop executes them.
+ * Recording them and computing estimates takes about ten times as long. (`auto` expects 0.4 ms for
+ * a sample by all threads.) */
 #define SAMPLED_SECONDS 25e-6
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* maximum number of iterations per owner, over all threads */
-    /* number of iterations per owner. This is the minimum of a sample, if time permits. It is the
-     * maximum if one thread takes the sample only for an estimate. */
+    /* number of iterations per owner: the smallest sample, if time permits, and the largest one if
+     * a single thread takes the sample only for an estimate */
     SAMPLED_FOR_A_LOOK = 128,
-    SAMPLED_OF = 16,    /* one iteration in this many is sampled, within the other limits, because a
-                           larger sample of a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128, /* as SAMPLED_OF, for a sample that is only an estimate. It has fewer
-                           iterations, because those of a short loop may be heavy */
+    SAMPLED_OF = 16,    /* one iteration in this many is sampled, within the other limits; a larger
+                           sample of a short loop would cost more than the loop */
+    LOOKED_AT_OF = 128, /* as SAMPLED_OF, for a sample that is only for an estimate. It has fewer
+                           iterations, because if the trip count is small, iterations may be long */
     LOOKED_AT_LEAST = 16,            /* minimum number of iterations per owner for an estimate */
     SAMPLED_MOST = 8192,             /* maximum number of iterations */
     SAMPLED_TOUCHES = 32768,         /* number of touches kept if there are few owners */
@@ -37,7 +37,7 @@ enum {
     ROWS_OF_A_TOUCH = 64 /* maximum number of rows that are sampled of one touch */
 };
 
-/* Is the sample taken only to estimate tiles, which have no owners? */
+/* Is the sample taken only to estimate tiles? Tiles have no owners. */
 static bool is_for_tiles(const struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
     return !inspection->call->method && request->loop->flags & REDCC_TILES &&
@@ -45,8 +45,8 @@ static bool is_for_tiles(const struct inspection *inspection) {
 }
 
 /* The number of iterations, at least few / 2 and at most `most`, that fit into the sample's time.
- * If the order is not serial, it is `most`, because the time may not affect the result. Heavy
- * iterations have many touches, so fewer of them give as much information. */
+ * If the order is not serial, returns `most`, because the time must not affect the result. Few long
+ * iterations suffice, because each has many touches. */
 static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
     const double usual = inspection->pace.usual;
     if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)
@@ -54,10 +54,10 @@ static redcc_int in_time(const struct inspection *inspection, redcc_int few, red
     return redcc_min(most, redcc_max(few / 2, (redcc_int)(SAMPLED_SECONDS / usual)));
 }
 
-/* Iterations 0, stride, 2 stride, ... are sampled, for any number of threads. The stride is odd,
- * because an even stride might always select the same corner of a finite element. The sample is
- * small, because sorting more touches than the owners need would cost more than the sweep of all
- * iterations. */
+/* The stride of the sample: iterations 0, stride, 2 stride, ... are sampled, for any number of
+ * threads. The stride is odd, because an even stride might always select the same corner of a
+ * finite element. The sample is small, because sorting more touches than the owners need would cost
+ * more than the sweep of all iterations. */
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     const redcc_int shares = partition->owners / (1 + partition->stealable);
@@ -79,8 +79,9 @@ static redcc_int sampled_before(const struct inspection *inspection,
     return (redcc_own_begin(inspection, inspector) + stride - 1) / stride;
 }
 
-/* The number of touches to keep: more touches make the cuts more even. (If results must not depend
- * on the number of threads, each thread needs space for all touches, so their number is small.) */
+/* The number of touches to keep, over all threads: with more touches, cuts are more even. (If
+ * results must not depend on the number of threads, each thread needs space for all of them, so
+ * their number is smaller.) */
 static size_t touches_to_keep(const struct inspection *inspection) {
     if (inspection->call->method && inspection->call->method->keeps == REDCC_ORDER_FIXED)
         return SAMPLED_TOUCHES;
@@ -90,8 +91,8 @@ static size_t touches_to_keep(const struct inspection *inspection) {
 }
 
 /* The number of touches for which a thread's sample has space. If results must not depend on the
- * number of threads, it suffices for all touches of the thread's share that may be kept in the end.
- */
+ * number of threads, it is the number of touches that may be kept in the end, because this thread's
+ * share may contain all of them. */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
     const size_t all = inspection->partition.share > 0 ? 1 : touches_to_keep(inspection);
@@ -138,8 +139,8 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
     return true;
 }
 
-/* Adds a touch of several rows as one touch per row, up to a limit, because cuts lie between rows.
- */
+/* Adds a touch that covers several rows as one touch per row, up to a limit. So the cuts, which lie
+ * between rows, can divide it. */
 static void sample_rows(const struct inspection *inspection, struct inspector *inspector,
                         const redcc_entry *entry) {
     const uint32_t unit = inspection->partition.arrays[entry->array].unit;
@@ -167,8 +168,8 @@ void redcc_sample_take(const struct inspection *inspection, struct inspector *in
     }
 }
 
-/* Called after groups were merged: merges the ranges that each thread has touched of these groups.
- */
+/* Called after groups were merged: for each merged group, joins the ranges that each thread has
+ * touched. */
 static void regroup_seen(struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
@@ -192,7 +193,8 @@ static void place_known_sources(struct inspection *inspection) {
 }
 
 /* Computes owners by majority votes, for threads that find their iterations during execution. Keeps
- * the map of these owners if it is better than the cuts. False: out of memory. */
+ * the map of these owners if its estimated share is better than that of the cuts. Returns false if
+ * out of memory. */
 static bool compare_votes(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;
@@ -229,8 +231,8 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     return true;
 }
 
-/* Thins the samples. Then an item represents the same number of touches in each sample, and all
- * samples together have at most touches_to_keep items. */
+/* Thins the samples. Afterwards an item represents the same number of touches in each sample, and
+ * all samples together have at most touches_to_keep items. */
 static void thin_samples(struct inspection *inspection) {
     struct inspector *const *inspector = inspection->inspector;
     uint64_t keep_each = 1;

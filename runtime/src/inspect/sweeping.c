@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sweep records the addresses of all iterations, block by block, for the exact address ranges
- * and the overlap guard. It produces either access summaries for the owners that were cut, or an
- * access log (logging.c) from which owners or levels are computed. */
+/** The sweep records the addresses of all iterations, block by block. From these it finds the exact
+ * address ranges for the overlap guard. It also produces either access summaries for the owners
+ * that were cut, or an access log (logging.c) from which owners or levels are computed. */
 #include "inspect/inspection.h"
 
 #include "base/aliases.h"
@@ -12,8 +12,8 @@
 
 enum { HASHED_AT_ONCE = 512 * 1024 /* number of bytes of subscripts that the caches hold */ };
 
-/* The number of iterations per block, such that their subscripts are still in the caches when they
- * are hashed. */
+/* The number of iterations per block. It is small enough that the subscripts of a block are still
+ * in the caches when they are hashed. */
 static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
     const redcc_int blocks = (redcc_int)(hashed / HASHED_AT_ONCE) + 1;
     const redcc_int each = own / blocks + 1;
@@ -21,7 +21,7 @@ static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
 }
 
 /* The partition by which iterations are summarised. If threads find their iterations during
- * execution, only address ranges are needed. */
+ * execution, only address ranges are needed, so it has a single owner. */
 static const struct partition *swept_by(const struct inspection *inspection) {
     return inspection->route == ROUTE_DIRECT ? &inspection->whole : &inspection->partition;
 }
@@ -30,7 +30,7 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
                        size_t hashed) {
     const struct partition *partition = &inspection->partition;
     const redcc_int begin = redcc_own_begin(inspection, inspector);
-    redcc_sweep_end(&inspector->sweep); /* the sweep is repeated if groups had to be merged */
+    redcc_sweep_end(&inspector->sweep); /* a sweep is repeated if groups had to be merged */
     memset(inspector->executed, 0, partition->owners * sizeof *inspector->executed);
     inspector->failed =
         redcc_is_logged(inspection)
@@ -46,8 +46,9 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->late = false;
 }
 
-/* Must the sweep end? A plan construction may continue until its deadline, because a slow beginning
- * may be due to an interruption. */
+/* Must the sweep end? The sweep of a trial of bins ends as soon as it is expected to miss its
+ * deadline. Other sweeps may continue until the deadline, because a slow beginning may be due to an
+ * interruption. */
 static bool is_late(const struct inspection *inspection, const struct inspector *inspector) {
     const redcc_int begin = redcc_own_begin(inspection, inspector);
     const redcc_int end = redcc_own_end(inspection, inspector);

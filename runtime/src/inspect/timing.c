@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Times the slice, after the sample. A slice, such as the search of a nearest centre, may take
- * longer than the updates. */
+/** Times the slice, after the sample. A slice may take longer than the updates, for example if it
+ * searches for a nearest centre. */
 #include "inspect/inspection.h"
 
 #include "base/clock.h"
@@ -8,14 +8,13 @@
 #include <assert.h>
 
 enum {
-    TIMED =
-        16, /* number of timed iterations per thread, so few that their data stay in the caches */
-    PASSES = 3 /* number of passes over these iterations: the first pass loads their data, and one
-                  of the others may be interrupted */
+    TIMED = 16, /* number of timed iterations per thread; their data stay in the caches */
+    PASSES = 3  /* number of passes over these iterations: the first pass loads their data, and an
+                   interruption may disturb another one */
 };
 
-/* Do auto's estimates need the time of the slice? No if owners are kept from an earlier execution,
- * or after a dry run, whose time is known. */
+/* Do auto's estimates need the time of the slice? They do not if owners are kept from an earlier
+ * execution, or after a dry run, whose time is known. */
 static bool is_wanted(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     return !call->method && !call->in_bins && inspection->partition.share == 0 &&

@@ -12,12 +12,11 @@
 
 /** The epsilon of the bound (docs/choosing.md): the fraction of the sequential time that trials may
  * cost. Two runs of a loop for which no strategy pays differ by 5 to 15 % on a shared machine
- * (script/bench choice); 3 % is less. */
+ * (script/bench choice); 3 % is less than that. */
 #define LEARN_SHARE (1.0 / 32)
-/** The fraction of a sequential execution that one execution may lose, if its strategy is not
- * clearly faster. LOCALWRITE took up to 1.25 times the sequential time. On loops in which
- * consecutive iterations have different owners it took up to 1.6 times, but estimates predict that.
- */
+/** The fraction of the sequential time that one execution may lose, if its strategy is not clearly
+ * faster. LOCALWRITE took up to 1.25 times the sequential time. It took up to 1.6 times on loops in
+ * which consecutive iterations have different owners, but the estimates predict that. */
 #define LEARN_RISK 0.25
 /** A strategy is clearly faster if an execution takes less than this fraction of the sequential
  * time. The difference is twice the noise of a busy machine, where medians differ by 10 %. */
@@ -25,66 +24,70 @@
 /** A strategy is worth a trial if it is expected to take less than this fraction of the present
  * time. Estimates were off by 10 % at best, and medians of one loop differ by 3 to 5 %. */
 #define LEARN_BETTER 0.9
-/** A comparison ends after one pair if the two times differ by this fraction, and after n pairs if
- * they differ by the n-th part of it. Executions on a shared machine vary by 30 %. */
+/** A comparison ends after one pair if the two times differ by this fraction. After n pairs it ends
+ * if the shortest times differ by the n-th part of this fraction. Executions on a shared machine
+ * vary by 30 %. */
 #define LEARN_NOISE 0.3
 /** Maximum number of pairs of a comparison: at a noise of 30 % it decides correctly in 19 of 20
  * cases. */
 #define LEARN_PAIRS 3
-/** The first plan construction waits until `since` (struct set_ups) is this multiple of its cost
- * (theorem 2 of docs/choosing.md). To decide about an overdraft, plans are compared over this many
- * executions. */
+/** The first plan construction waits until the sequential loop has taken (`since` of struct
+ * set_ups) this multiple of the construction's cost (theorem 2 of docs/choosing.md). In deciding
+ * about an overdraft, plans are compared over this many executions. */
 #define LEARN_FACTOR 10
-/** Maximum overdraft, in units of an execution's time. Partitioning the access graph of a heavy
- * loop costs 0.6; this is twice as much. */
+/** Maximum overdraft, in units of a sequential execution's time. Partitioning the access graph of a
+ * loop with long iterations costs 0.6; this is twice as much. */
 #define LEARN_OVERDRAFT 1.25
-/** To be worth it, an execution must take this multiple of the time to wake threads. With two
- * threads, waking them then takes an eighth of the time that each thread executes. With 50, loops
- * of 0.3 ms that gain 1.5 to 1.9 were left sequential. */
+/** An execution is worth parallelising if it takes at least this multiple of the time to wake
+ * threads. With two threads, waking them then takes an eighth of the time that each thread
+ * executes. With 50 instead, loops of 0.3 ms with speed-ups of 1.5 to 1.9 were left sequential. */
 #define LEARN_WAKES 16
 /** The number of calls of the first wait of an exponential back-off. The longest wait has 128 times
- * as many. A failed trial costs a fraction of an execution, which is less than 0.1 % of the time
- * after the longest wait. */
+ * as many. A failed trial costs a fraction of an execution. With the longest wait, that is less
+ * than 0.1 % of the time. */
 #define LEARN_BACK_OFF 16
-/** After this many consecutive calls with subscripts of earlier calls, the subscripts are expected
- * to stay. After half as many calls, they no longer count as new. Half as many plan constructions
- * that did not pay show that subscripts keep changing. In a loop that changes two of millions of
- * keys before each call, 4 loses 1 % and 2 loses 6 % (`count` of script/bench choice). */
+/** After this many consecutive calls whose subscripts were those of earlier calls, the subscripts
+ * are expected to stay. After half as many such calls, they no longer count as new. Half as many
+ * plan constructions that did not pay show that subscripts keep changing. In a loop that changes
+ * two of millions of keys before each call, 4 loses 1 % and 2 loses 6 % (`count` of script/bench
+ * choice). */
 #define LEARN_STABLE 4
 
 /* ---- the cost model: seconds of one thread ---- */
 
-/** Seconds of a sample: 256 iterations of some touches. Starting threads takes as long on an idle
- * machine (0.1 to 0.4 ms), and ten times as long on a busy one (2 to 6 ms). */
+/** Seconds of a sample of 256 iterations with some touches each. Starting threads takes as long on
+ * an idle machine (0.1 to 0.4 ms), and ten times as long on a busy one (2 to 6 ms). */
 #define LEARN_SAMPLE 0.4e-3
-/** The number of iterations of that sample. A loop that cannot be inspected, and whose trip count
- * is at least the square of this number, is tried in bins in its first execution, with a 16th of
- * its iterations. At 10 ns or more per iteration, an execution takes 0.7 ms or more. */
+/** The number of iterations of that sample. A loop that cannot be inspected is tried in bins in its
+ * first execution, with a 16th of its iterations, if its trip count is at least the square of this
+ * number. At 10 ns or more per iteration, an execution then takes 0.7 ms or more. */
 #define LEARN_SAMPLED 256
-/** Recording a touch, if the iteration has the same owners as the iteration before. Beginning a run
- * of iterations takes three times as long, and logging a touch seven times. */
+/** Seconds to record a touch, if the iteration has the same owners as the iteration before.
+ * Beginning a run of iterations takes three times as long; logging a touch takes seven times as
+ * long. */
 #define LEARN_TOUCH 1e-9
-/** Assigning a row to an owner by majority vote, or a touch to a level: 13 to 20 ns. Recording an
- * iteration that has other owners than the iteration before takes twice as long: 37 to 60 ns.
- * Partitioning the access graph takes 32 ns per row, divided among the threads, and then 25 ns in
- * one thread while the others wait. */
+/** Seconds to assign a row to an owner by majority vote, or a touch to a level: measured 13 to 20
+ * ns. Recording an iteration that has other owners than the iteration before takes twice as long:
+ * 37 to 60 ns. Partitioning the access graph takes 32 ns per row, divided among the threads, and
+ * then 25 ns per row in one thread while the others wait. */
 #define LEARN_ROW 20e-9
-/** Filling and merging a byte of a private copy. It takes four times as long if the system must
- * allocate a page for it. Reading and comparing a byte takes a third to a half of this (0.05 to
- * 0.07 ns). */
+/** Seconds to fill and merge a byte of a private copy. It takes four times as long if the system
+ * must allocate a page for the byte. Reading and comparing a byte takes a third to a half of this
+ * (0.05 to 0.07 ns). */
 #define LEARN_BYTE 0.15e-9
-/** Useless tracking of a page: protecting it takes 0.1 microseconds, and the first write to it 1.3
- * microseconds. Comparing its 4096 bytes would take 0.12 microseconds (35 GB/s). */
+/** Seconds lost by useless tracking of a page: protecting it takes 0.1 microseconds, and the first
+ * write to it 1.3 microseconds more. For comparison, hashing its 4096 bytes takes 0.12 microseconds
+ * (35 GB/s). */
 #define LEARN_PAGE 1.45e-6
-/** The slowdown when threads run in parallel: 1.05 to 1.4 by contention, 1.15 if the rows of an
- * owner are scattered. It is also the largest ratio of the largest share to an equal share at which
- * owners count as balanced. */
+/** The factor by which an execution is slower than its equal share suggests. Contention slows
+ * threads by 1.05 to 1.4, scattered rows of an owner by 1.15. Owners also count as balanced up to
+ * this ratio of the largest share to an equal share. */
 #define LEARN_CONTENDED 1.1
-/** The fraction of iterations with other owners than the iteration before them, from which on
- * owners count as alternating all the time. */
+/** If at least this fraction of the iterations have other owners than the iteration before, owners
+ * count as alternating all the time. */
 #define LEARN_FREQUENT 0.25
 /** Bytes of the caches of a current core. Random updates of arrays three times as large wait for
- * memory. Bins and prefetches help only with such arrays (script/bench binning). */
+ * memory. Only then do bins and prefetches help (script/bench binning). */
 #define LEARN_CACHE 4e6
 
 #endif

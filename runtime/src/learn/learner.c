@@ -7,7 +7,8 @@
 
 /* ---- affordable actions ---------------------------------------------------------------------- */
 
-/* What a decision depends on: the loop at trip counts of one size, and the call. */
+/* What a decision depends on: the loop's ledger, its state at trip counts of this size, and the
+ * call. */
 struct choice {
     struct ledger *ledger;
     struct size_state *size;
@@ -53,9 +54,9 @@ static double room_for(const struct choice *c, enum way way) {
     return credit_of(c->ledger) - reserved - risk * usual_of(c);
 }
 
-/* A strategy that is clearly faster may run while the credit is negative, because it repays the
- * debt. Since the credit became negative, its executions together must have gained time; one slow
- * execution does not end its use. */
+/* May the strategy be executed with the present credit? A strategy that is clearly faster may run
+ * while the credit is negative, because it repays the debt. But its executions together must have
+ * gained time since the credit became negative. So one slow execution does not end its use. */
 static bool may_execute(const struct choice *c, enum way way) {
     const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
     return repays || room_for(c, way) >= 0;
@@ -67,9 +68,9 @@ static bool fits(const struct choice *c, enum way way) {
             (c->size->arm[way].possible && room_for(c, way) >= c->now->start));
 }
 
-/* The strategy available in this call with the least expected time, if that is below `current`
- * seconds per iteration; otherwise WAY_SEQUENTIAL. `guessed`: only strategies that need a trial to
- * be evaluated; otherwise only the others. */
+/* The strategy available in this call with the shortest expected time, if that is clearly below
+ * `current` seconds per iteration; otherwise WAY_SEQUENTIAL. If `guessed` is set, considers only
+ * strategies that a trial must evaluate; otherwise only the others. */
 static enum way ready_way(const struct choice *c, double current, bool guessed) {
     enum way best = WAY_SEQUENTIAL;
     double least = LEARN_BETTER * current;
@@ -91,9 +92,9 @@ static bool are_stable(const struct choice *c) {
     return c->now->verified || c->now->steady >= LEARN_STABLE;
 }
 
-/* Remaining seconds of a plan construction, including starting threads. At least half of the
- * inspection's cost, without its dry run and waits, is assumed to remain. If the subscripts are new
- * in each call, the slice is not assumed to be cheaper than the body. */
+/* Seconds that a plan construction will still take, including starting threads. At least half of
+ * the inspection's cost, without its dry run and waits, is assumed to remain. If the subscripts are
+ * new and no construction was measured, the slice is assumed to take as long as the body. */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
     const double all = it->learned > 0 ? it->learned : it->set_up;
@@ -102,10 +103,11 @@ static double cost_of(const struct choice *c, enum way way) {
     return left + c->now->start + (counts_body ? usual_of(c) / c->now->threads : 0);
 }
 
-/* The expected number of executions with a plan constructed now. It is as many as there were so far
- * (the rent-or-buy rule), or only this one if the subscripts are new. If changed subscripts ended
- * earlier plans, the present ones are expected to last as long as the last plan's, or an eighth of
- * the calls since. If they have lasted longer already, they are expected to last as long again. */
+/* The expected number of executions of a plan that is constructed now. If no change of subscripts
+ * has ended a plan, it is the number of calls so far (the rent-or-buy rule), or 1 if the subscripts
+ * are new. Otherwise the present subscripts are expected to last as long as those of the last plan,
+ * or an eighth of the calls since that plan. If they have already lasted longer, they are expected
+ * to last as long again. */
 static double horizon_of(const struct choice *c) {
     const struct set_ups *it = &c->size->set_ups;
     if (it->lifetime == 0)
@@ -116,7 +118,7 @@ static double horizon_of(const struct choice *c) {
     return (double)(life > age ? life - age : age);
 }
 
-/* The rent-or-buy rule: has the sequential time since the last plan construction reached the
+/* The rent-or-buy rule: since the last plan construction, has the sequential loop taken the
  * required multiple of `seconds`? */
 static bool has_waited_for(const struct choice *c, double seconds) {
     return seconds * redcc_factor(&c->size->set_ups) <= c->size->set_ups.since;
@@ -128,17 +130,18 @@ static bool is_affordable(const struct choice *c, enum way way) {
     return all <= room_for(c, way) && has_waited_for(c, all);
 }
 
-/* May an overdraft be allowed, or the present one be extended? Only in PHASE_SAVING and without a
- * debt, and not after a plan construction that did not recover its cost. */
+/* May an overdraft be allowed, or the present overdraft be extended? Only in PHASE_SAVING, and not
+ * after a plan construction that did not recover its cost. A new overdraft also requires that there
+ * is no debt. */
 static bool can_overdraw(const struct choice *c) {
     return c->size->phase == PHASE_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
            (c->ledger->overdraft > 0 || credit_of(c->ledger) >= 0);
 }
 
-/* Do two executions repay the plan construction, or half as many executions as its subscripts have
- * lasted? If the subscripts may change, the first execution must repay it. If samples may have
- * missed a change, the plan may be used only once; then the loss must be within a share of the time
- * so far. */
+/* Is a plan worth an overdraft? It must be clearly faster, and must repay its construction soon: by
+ * two executions, or by half as many as its subscripts have lasted. If the subscripts are not known
+ * to be stable, the first execution must repay it. If they were only sampled, the plan may turn out
+ * useless; then the loss must be within a share of the time so far. */
 static bool is_worth_overdraft(const struct choice *c, enum way way) {
     const double usual = usual_of(c), set_up = cost_of(c, way);
     const double gained = usual - redcc_expected(c->size, way) * (double)c->now->trip;
@@ -151,8 +154,9 @@ static bool is_worth_overdraft(const struct choice *c, enum way way) {
 
 typedef bool allows(const struct choice *, enum way);
 
-/* The cheapest of the allowed plans over `executions` executions, including its construction. It
- * must take less than `current` seconds per iteration; otherwise the result is WAY_SEQUENTIAL. */
+/* The strategy with the cheapest plan, over `executions` executions and including its construction,
+ * among the allowed ones. It must be cheaper than executions that take `current` seconds per
+ * iteration; otherwise the result is WAY_SEQUENTIAL. */
 static enum way best_plan(const struct choice *c, double current, double executions,
                           allows *is_allowed) {
     enum way best = WAY_SEQUENTIAL;
@@ -177,9 +181,9 @@ static bool goes_without_plan(const struct choice *c) {
     return c->now->kept[WAY_DIRECT] == KEPT_FITS && !c->size->arm[WAY_DIRECT].ruled_out;
 }
 
-/* Seconds that a sample takes. Until a dry run was timed, it is assumed to take as long as an
- * execution. In a loop that needs no plan, it is assumed to take a 16th of that. (0.05 was measured
- * in loops over blocks.) A deadline ends a longer dry run. */
+/* Seconds that a sample is expected to take. Until a dry run was timed, it is assumed to take as
+ * long as an execution. In a loop that needs no plan, a 16th of that is assumed (in loops over
+ * blocks, 0.05 was measured). If a dry run takes longer, a deadline ends it. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
     const double dry =
@@ -210,8 +214,8 @@ static void allow_overdraft(const struct choice *c, double seconds) {
     c->ledger->overdraft = most_of(c->ledger->overdraft, seconds);
 }
 
-/* Decides for a plan construction within an overdraft or the credit, if there is a strategy that
- * takes less than `current` seconds per iteration. The overdraft covers twice the cost of the
+/* Decides about a plan construction within an overdraft or the credit, if a strategy is expected to
+ * take less than `current` seconds per iteration. The overdraft covers twice the cost of the
  * construction, and a fraction of an execution, because threads may not get a core at once. It is
  * at most LEARN_OVERDRAFT executions. */
 static struct decision set_up(const struct choice *c, double current) {
@@ -234,10 +238,10 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* Takes a sample. All threads take part if the subscripts are likely to stay or no plan is needed,
- * and if the credit covers starting the threads. A plan construction can then follow immediately.
- * An overdraft covers the cost if it is small compared with an execution. Otherwise one thread
- * takes the sample and waits for no other: most light loops turn out not to be worth more. */
+/* Takes a sample. If all threads take part, a plan construction can follow immediately. They do if
+ * the subscripts are likely to stay or no plan is needed, and if the credit covers starting the
+ * threads. An overdraft covers the cost if it is small compared with an execution. Otherwise one
+ * thread takes the sample alone: most short loops turn out not to be worth more. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;
@@ -280,11 +284,13 @@ bool redcc_goes_at_once(const struct situation *now) {
            now->trip >= (long long)LEARN_SAMPLED * LEARN_SAMPLED;
 }
 
-/* Are bins tried before any inspection? They are if the loop cannot be inspected, or if an
- * inspection begins with a dry run, which may take as long as the loop. They are also if iterations
- * are so heavy that an inspection may take longer than a trial of bins may lose. Heavy iterations
- * have inner loops, and the inspection records all rows that the inner loops touch (for tiles, only
- * the first and the last row). The first execution may be a trial that times the sequential loop as
+/* Are bins tried before any inspection? They are
+ * - if the loop cannot be inspected;
+ * - if an inspection begins with a dry run, which may take as long as the loop;
+ * - if iterations are so long that an inspection may take longer than a trial of bins may lose.
+ *   Long iterations have inner loops, and the inspection records all rows that these touch (for
+ *   tiles, only the first and the last row).
+ * If the loop was never timed, the first execution may be a trial that times the sequential loop as
  * well. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
@@ -305,16 +311,16 @@ static struct decision try_first(const struct choice *c) {
 }
 
 /* Are tiles tried without a sample? They compute each pair once, whatever the subscripts are, so a
- * sample would show nothing more. If tiles have failed or a guard has forbidden them, a sample is
- * taken after the back-off. */
+ * sample would show nothing new. But if tiles have failed, or a guard has forbidden them, a sample
+ * is taken after the back-off. */
 static bool goes_in_tiles(const struct choice *c) {
     return c->now->in_tiles && c->now->threads > 1 && !c->now->dry_run &&
            c->size->back_off.length == 0 && goes_without_plan(c);
 }
 
-/* An overdraft covers starting the threads if the first execution is expected to repay it. The
- * first parallel execution is slow, so the overdraft also covers a fraction of it or, if the loop
- * is not new, all of it. */
+/* Tries tiles. An overdraft covers starting the threads, if the first execution is expected to
+ * repay that. The first parallel execution is slow. So the overdraft also covers a fraction of an
+ * execution or, if the loop is not new, a whole one. */
 static struct decision try_tiles(const struct choice *c) {
     const double usual = redcc_usual(c->size), each = LEARN_CONTENDED / c->now->threads * usual;
     const double gained = (usual - each) * (double)c->now->trip;
@@ -328,8 +334,9 @@ static struct decision try_tiles(const struct choice *c) {
     return fits(c, WAY_DIRECT) ? take_up(c, WAY_DIRECT) : sequentially(c, RULE_SAVING);
 }
 
-/* The decision in PHASE_SAVING. A strategy that only a trial can evaluate is tried if no other is
- * available. */
+/* The decision in PHASE_SAVING. In this order, uses a strategy that is available and expected to
+ * pay; tries tiles or bins, or takes a sample, if no sample was taken; constructs a plan; tries a
+ * strategy that only a trial can evaluate. */
 static struct decision decide_saving(const struct choice *c) {
     const double usual = redcc_usual(c->size);
     const enum way ready = ready_way(c, usual, false);
@@ -348,8 +355,8 @@ static struct decision decide_saving(const struct choice *c) {
                : decision;
 }
 
-/* Called if no plan of the strategy in use fits this call. Its overdraft is still owed, but no more
- * of it may be spent. */
+/* Called if no plan of the strategy in use fits this call. Time lost within an overdraft is still
+ * owed, but no more of the overdraft may be spent. */
 static struct decision leave_plan(const struct choice *c) {
     c->size->phase = PHASE_SAVING;
     c->ledger->overdraft = 0;
@@ -367,10 +374,10 @@ static struct decision decide_comparing(const struct choice *c) {
     return may_execute(c, next) ? reuse(c, next, RULE_COMPARING) : sequentially(c, RULE_SAVING);
 }
 
-/* Must the sequential loop be timed again? It must when so much time has passed that timing it
- * costs at most half of LEARN_SHARE. Each of the first three checks in which the plan was faster
- * halves this fraction. If only the first execution was timed, a check is due four times as early,
- * because page faults make the first execution slow. */
+/* Must the sequential loop be timed again? It must once so much time has passed that timing it
+ * costs at most half of LEARN_SHARE of that time. Each of the first three checks that find the plan
+ * faster halves this fraction. If only the first execution was timed, a check is due four times as
+ * early, because page faults make first executions slow. */
 static bool is_check_due(const struct choice *c) {
     const double more = redcc_usual(c->size) - redcc_expected(c->size, c->size->way);
     const double half = 2 / LEARN_SHARE;
@@ -379,9 +386,10 @@ static bool is_check_due(const struct choice *c) {
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* If the strategy in use was tried before any sample, should a sample be taken now? There may be a
- * better strategy. The execution after the sample is sequential. The gain that this execution loses
- * is part of the cost, which a share of the time since the last plan construction must cover. */
+/* If the strategy in use was tried without a sample, should a sample be taken now, because another
+ * strategy may be better? The execution after a sample is sequential, so the sample's cost includes
+ * the gain of one execution. The credit and a share of the time since the last plan construction
+ * must cover this cost. */
 static bool looks_for_more(const struct choice *c, double current) {
     const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
     const double cost = look_of(c) + most_of(lost, 0);
@@ -416,8 +424,9 @@ static struct decision decide_parallel(const struct choice *c) {
     return reuse(c, c->size->way, RULE_FASTER);
 }
 
-/* Among the strategies available in this call, the one that was fastest in its last executions. A
- * strategy without plans counts only if it was faster than the sequential loop. */
+/* Among the strategies available in this call, the one that was fastest in its last executions;
+ * WAY_SEQUENTIAL if there is none. A strategy without plans counts only if it was faster than the
+ * sequential loop. */
 static enum way fastest_known(const struct choice *c) {
     enum way best = WAY_SEQUENTIAL;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
@@ -429,8 +438,8 @@ static enum way fastest_known(const struct choice *c) {
     return best;
 }
 
-/* Ends a back-off, because its reason may no longer hold. If the fastest known strategy was slower,
- * compares it again; otherwise discards the estimates. */
+/* Ends a back-off, because its reason may no longer hold. After RULE_SLOWER, compares the fastest
+ * known strategy again, if there is one. Otherwise discards the estimates. */
 static void end_back_off(const struct choice *c) {
     const bool was_slower = c->size->rule == RULE_SLOWER;
     c->size->phase = PHASE_SAVING;
@@ -495,8 +504,8 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
     return true;
 }
 
-/* Counts the call and decides. If the number of threads has changed, first resets the state of the
- * size. */
+/* Counts the call and decides. If the number of threads has changed, first resets the state at trip
+ * counts of this size. */
 static struct decision take_call(const struct choice *c) {
     if (c->size->threads > 0 && c->size->threads != c->now->threads)
         *c->size = (struct size_state){0};
@@ -525,8 +534,8 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
                                                 : REACH_TEAM;
 }
 
-/* Is no possible plan expected to be faster than strategy `than`, whatever its construction costs?
- */
+/* Are all possible plans expected to be slower than strategy `than`, even without the cost of their
+ * construction? */
 static bool no_plan_is_faster(const struct choice *c, enum way than) {
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
         if (c->size->arm[way].possible &&

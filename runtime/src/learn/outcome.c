@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Results of decisions: measurements replace estimates, comparisons end, and unprofitable loops
- *  back off. */
+/** Processes the results of decisions: measurements replace estimates, comparisons end, and
+ * unprofitable loops back off. */
 #include "learn/learner.h"
 
 #include <assert.h>
@@ -27,8 +27,8 @@ static void note_time(struct timings *it, double each) {
     it->recent[it->count++ % 3] = each;
 }
 
-/* The shortest of the last times of the sequential loop, so that gains are not overestimated. 0:
- * unknown. */
+/* The shortest of the last times of the sequential loop, in seconds per iteration; 0: unknown. The
+ * shortest time is used so that gains are not overestimated. */
 static double least_of_last(const struct size_state *size) {
     double low = size->sequential.recent[0];
     for (int i = 1; i < 3 && i < size->sequential.count; i++)
@@ -84,8 +84,8 @@ static void leave_back_off(struct size_state *size, enum phase phase) {
     size->phase = phase;
 }
 
-/* Rules out the strategy that failed. Returns whether another strategy may be better than the
- * sequential loop. */
+/* Rules out the strategy that failed. Returns whether another strategy is expected to be better
+ * than the sequential loop. */
 static bool another_may_do(struct size_state *size, enum way failed) {
     size->arm[failed].possible = false;
     size->arm[failed].ruled_out = true;
@@ -95,8 +95,8 @@ static bool another_may_do(struct size_state *size, enum way failed) {
     return false;
 }
 
-/* Called after a strategy without plans has failed. Another one may still be tried; otherwise the
- * loop backs off. */
+/* Called after a strategy has failed. If it was one without plans, another strategy may still be
+ * tried; otherwise the loop backs off. */
 static void return_to_sequential(struct size_state *size, enum way way) {
     if (!redcc_is_planned(way) && another_may_do(size, way))
         leave_back_off(size, PHASE_SAVING);
@@ -124,8 +124,8 @@ static void settle(struct size_state *size, bool contender_won) {
         return_to_sequential(size, it->contender);
 }
 
-/* Is the comparison decided? One pair is enough to keep a strategy that is in use; all pairs are
- * needed to abandon it. */
+/* Is the comparison decided? One pair may be enough to keep a strategy that is in use; all pairs
+ * are needed to abandon it. */
 static bool is_settled(const struct comparison *it) {
     const int winner = redcc_paired_winner(&it->pairs);
     return it->pairs.timed % PAIRED_ARMS == 0 &&
@@ -198,8 +198,8 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
 }
 
 /* Begins a comparison after the first execution of a new strategy. Starting threads and page faults
- * slow this execution down. Its time counts in the comparison only if it is clearly faster
- * nevertheless. */
+ * slow this execution down. So its time counts in the comparison only if it was clearly faster than
+ * the sequential loop nevertheless. */
 static void begin_trial(struct size_state *size, enum way way, double each, double usual) {
     const bool rival = size->phase == PHASE_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
@@ -207,8 +207,8 @@ static void begin_trial(struct size_state *size, enum way way, double each, doub
         count_in_comparison(size, way, each, usual);
 }
 
-/* Records an execution of a strategy. Returns the seconds that the sequential loop would have
- * taken. */
+/* Records an execution of a strategy in the ledger. Returns the seconds that the sequential loop
+ * would have taken. */
 static double enter_in_ledger(struct choice_state *state, struct size_state *size,
                               const struct outcome *outcome) {
     const double each = outcome->usual > 0 ? outcome->usual : least_of_last(size);
@@ -282,14 +282,14 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
         size->phase = PHASE_SAVING;
 }
 
-/* Is the cost of a refusal within the share? If so, a guard may forbid the strategy in use
- * occasionally. */
+/* Is the cost of a refusal within the share that may be lost? Then a guard may occasionally forbid
+ * the strategy in use, which stays in use. */
 static bool is_little(const struct size_state *size, const struct outcome *outcome) {
     return outcome->seconds <= LEARN_SHARE * redcc_usual(size) * (double)outcome->trip;
 }
 
-/* A sample or a guard has ruled out a strategy. RESULT_REFUSED with WAY_SEQUENTIAL rules out all
- * strategies. */
+/* Called when a sample or a guard has ruled out a strategy. RESULT_REFUSED with WAY_SEQUENTIAL
+ * rules out all strategies. */
 static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
     const bool refused = outcome->result == RESULT_REFUSED;
     if (size->phase == PHASE_PARALLEL && size->way == outcome->way && is_little(size, outcome))

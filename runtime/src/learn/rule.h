@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The decision table of `auto`: identifier, slug, condition, action. The report's `rule` is the
- *  slug of the row that decided last; docs/methods.md shows the table, and a test compares the
- *  two. */
+/** The decision table of `auto`: for each rule its identifier, slug, condition and action. The
+ * report's `rule` is the slug of the rule that decided last. docs/methods.md shows the table, and a
+ * test compares it with this list. */
 #ifndef REDCC_RULE_H
 #define REDCC_RULE_H
 

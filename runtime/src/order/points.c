@@ -67,8 +67,8 @@ static int by_place(const void *a, const void *b) {
     return (p->point > q->point) - (p->point < q->point);
 }
 
-/* The width of one coordinate's range. Values are limited to the range from -DBL_MAX / 4 to DBL_MAX
- * / 4. */
+/* The width of the range of one coordinate of all points; *least is the range's beginning. The
+ * range is limited to -DBL_MAX / 4 to DBL_MAX / 4, so that the width does not overflow. */
 static double width_of(int count, int dimensions, const double *coordinate, double *least) {
     double low = DBL_MAX, high = -DBL_MAX;
     for (int p = 0; p < count; p++) {

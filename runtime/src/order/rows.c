@@ -9,8 +9,8 @@
 #include <stdbool.h>
 
 /* The iterations that update each row. Those of row r are iteration[start[r]] to iteration[start[r
- * + 1] - 1]. The neighbours of a row are the other rows of its iterations. They are not stored,
- * because there may be many. */
+ * + 1] - 1]. The neighbours of a row are the other rows of its iterations; they are not stored,
+ * because they may be many. */
 struct rows {
     int count, touches;
     const int *row;
@@ -83,8 +83,9 @@ static int search_from(const struct rows *rows, struct search *search, int *orde
     return reached;
 }
 
-/* Orders the connected component of `row` from a pseudo-peripheral root. To find the root, moves it
- * to the last row reached until its distance no longer grows. Returns the number of rows. */
+/* Orders the connected component of `row` by a search from a pseudo-peripheral root. To find this
+ * root, it repeatedly searches from the row that the last search reached last, until that row's
+ * distance no longer grows. Returns the number of rows of the component. */
 static int order_part(const struct rows *rows, struct search *search, int *order, int row) {
     int count = search_from(rows, search, order, row), far = -1;
     while (search->level[order[count - 1]] > far) {

@@ -6,15 +6,15 @@
 #include <assert.h>
 #include <string.h>
 
-/* A sampled touch of one group (ownership/partition.h): its address, and the index of its iteration
- * in the concatenated samples of all threads. */
+/* A sampled touch of a group (ownership/partition.h): its address, and the number of its iteration
+ * when the samples of all threads are concatenated. */
 struct point {
     uintptr_t address;
     uint32_t iteration;
 };
 
-/* The lowest and the highest owner that an iteration touches in the leading group; low > high: it
- * touches none. */
+/* The lowest and the highest owner whose elements of the leading group an iteration touches. low >
+ * high: the iteration touches no element of that group. */
 struct label {
     uint32_t low;
     uint32_t high;
@@ -70,8 +70,8 @@ static void sort_by_digit(const struct point *from, struct point *to, size_t cou
         to[start[from[i].address >> shift & mask]++] = from[i];
 }
 
-/* Radix sort, least significant digit first. Only the bits in which addresses differ are sorted, in
- * as few digits of equal length as possible. */
+/* Radix sort, beginning with the least significant digit. Sorts only by the bits in which addresses
+ * differ, in as few digits of equal length as possible. */
 static void sort_by_address(struct points points, struct point *spare) {
     unsigned long long differ = 0;
     for (size_t i = 1; i < points.count; i++)
@@ -135,8 +135,9 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
     }
 }
 
-/* Suppose that the cut moves from before a point to after it. Returns by how much the number of
- * iterations on the wrong side of the cut changes, if the point's iteration has this label. */
+/* Suppose that the cut below owner `owner` moves from before a point to after it, and that the
+ * point's iteration has this label. Returns by how much the number of iterations on the wrong side
+ * of the cut changes. */
 static long change_beyond(struct label label, uint32_t owner) {
     return label.low > label.high ? 0 : (label.low >= owner) - (label.high < owner);
 }
@@ -145,9 +146,10 @@ static size_t distance(size_t a, size_t b) {
     return a < b ? b - a : a - b;
 }
 
-/* The number of points below the cut that best separates the iterations completely below owner
- * `owner` from those completely at or above it. Among equally good numbers, it is the one nearest
- * to the middle between the first and the last. */
+/* The number of points below the best cut between owners `owner` - 1 and `owner`. It separates the
+ * iterations whose owners are all below `owner` from those whose owners are all at least `owner`.
+ * Among equally good cuts, takes the one nearest to the middle between the first and the last of
+ * them. */
 static size_t best_place(const struct label *of_point, size_t count, uint32_t owner) {
     long cost = 0, least = 0; /* cost relative to a cut before all points */
     size_t first = 0, last = 0;
@@ -188,7 +190,7 @@ static void cut_beside_leader(const struct work *work, uint32_t group) {
         labelled = labelled || work->label_of_point[i].low <= work->label_of_point[i].high;
     }
     if (!labelled)
-        return; /* no iteration of the group touches the leading group: the group keeps its
+        return; /* no iteration of the group touches the leading group, so the group keeps its
                    quantiles */
     uintptr_t *cut = redcc_cuts(partition, group);
     for (uint32_t owner = 1; owner < partition->owners; owner++)

@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "ownership/owner_map.h"
 
-/* Counts of an owner, or of a share (an owner with its stealable blocks): the number of its
- * iterations, and the number of the last of them, counted from 1. */
+/* Counts for an owner, or for a share (an owner with its stealable blocks): how many iterations
+ * touch it, and the number of the last of them, counted from 1. */
 struct part {
     uint32_t iterations;
     uint32_t last;
@@ -28,8 +28,8 @@ struct span_of_owners {
     uint32_t high;
 };
 
-/* Is item i the first touch of its iteration at its address? Only the 32 items before it are
- * searched. */
+/* Is item i the first touch of its iteration at its address? Searches only the 32 items before it,
+ * so it may be true by mistake. */
 static bool is_new_row(const struct sample *sample, size_t i) {
     enum { LOOKED_BACK = 32 };
     const struct sampled *item = &sample->item[i];
@@ -42,8 +42,8 @@ static bool is_new_row(const struct sample *sample, size_t i) {
     return true;
 }
 
-/* Counts the iterations of each owner and share in a thread's sample. Returns how often consecutive
- * iterations touch different owners. */
+/* Counts, for each owner and each share, the iterations in a thread's sample that touch it. Returns
+ * how often consecutive iterations touch different owners. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
     const uint32_t each = 1 + partition->stealable;

@@ -14,20 +14,21 @@ struct touching {
 };
 
 struct estimate {
-    double share;  /* fraction of the iterations that the most loaded share executes; a share is an
+    double share;  /* fraction of the iterations that the most loaded share executes. A share is an
                       owner with its stealable blocks */
-    double direct; /* `share` if threads find their iterations during execution, with owners that
-                      votes may choose (owner_map.h) */
-    double overhead; /* fraction of the iterations that are executed once more because of stealable
-                        blocks */
+    double direct; /* `share` for threads that find their iterations during execution. Votes may
+                      then have chosen the owners (owner_map.h) */
+    double overhead; /* number of additional executions of iterations because of stealable blocks,
+                        divided by the number of iterations */
     struct touching each; /* averages per iteration */
     double changes; /* fraction of the sampled iterations whose lowest or highest owner differs from
-                       that of the sampled iteration before: roughly an upper bound of the fraction
-                       that begins a run */
+                       that of the sampled iteration before. It is roughly an upper bound of the
+                       fraction that begins a run */
 };
 
-/** Computes statistics of the samples of `threads` threads for a partition that is cut, or has a
- * map. If samples lack some touches of an iteration, `share` is too low. False: out of memory. */
+/** Computes statistics of the samples of `threads` threads, for a partition that is cut or has a
+ * map. If the samples lack some touches of an iteration, `share` is too low. Returns false if out
+ * of memory. */
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate);
 

@@ -11,11 +11,11 @@
 
 #include "base/range.h"
 
-/** Identifies a range that the loop reads and a range that it writes, if the two overlap. */
+/** If a range that the loop reads overlaps a range that it writes, identifies the two. */
 struct overlap {
     uint32_t source;
-    uint32_t array; /* below array_count: an array; otherwise array_count + s: source s, which is a
-                     * scalar accumulator or an own element */
+    uint32_t array; /* if below array_count: the number of an array. Otherwise array_count + s,
+                       where source s is a scalar accumulator or an own element */
 };
 
 /** May the source overlap a reduction array? False if the translator proved that it does not. */
@@ -23,14 +23,15 @@ static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t so
     return !(loop->sources[source].flags & REDCC_OVERLAPS_NO_ARRAY);
 }
 
-/** Must the source be compared with scalars? All flags except REDCC_IS_SUBSCRIPT imply this. */
+/** Must the source be compared with scalars (REDCC_IS_SCALAR)? True if it has a flag other than
+ * REDCC_IS_SUBSCRIPT. */
 static inline bool redcc_may_overlap_scalars(const redcc_loop *loop, uint32_t source) {
     return loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
 }
 
-/** May source `source` overlap source `kept`, which is a scalar accumulator in memory or an
- * iteration's own element? False: `kept` is neither, or the translator proved that the two are
- * disjoint. */
+/** May source `source` overlap source `kept`, if `kept` is a scalar accumulator in memory or an
+ * iteration's own element? False if `kept` is neither, if the two are the same source, or if the
+ * translator proved that they are disjoint. */
 static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source, uint32_t kept) {
     const int a = loop->sources[source].flags, b = loop->sources[kept].flags;
     const bool are_behind_one =
@@ -39,8 +40,8 @@ static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source
            !are_behind_one;
 }
 
-/** Are the ranges of a source and of the scalar `kept` disjoint, either proved or by their
- * addresses? If not, *overlap is set to this pair. */
+/** Are source `source` (range `read`) and the scalar `kept` (range `scalar`) disjoint, by proof or
+ * by their addresses? If not, sets *overlap to this pair. */
 static inline bool redcc_are_disjoint(const redcc_loop *loop, uint32_t source, struct range read,
                                       uint32_t kept, struct range scalar, struct overlap *overlap) {
     if (!redcc_may_meet_scalar(loop, source, kept) || !redcc_ranges_overlap(read, scalar))
@@ -49,7 +50,8 @@ static inline bool redcc_are_disjoint(const redcc_loop *loop, uint32_t source, s
     return false;
 }
 
-/** Is the source disjoint from all scalars and own elements? Most sources need no comparison. */
+/** Is the source disjoint from all scalars and own elements? If not, sets *overlap to the first
+ * pair that overlaps. Most sources need no comparison. */
 static inline bool redcc_range_is_disjoint_from_scalars(const redcc_loop *loop,
                                                         const struct range *read, uint32_t source,
                                                         struct overlap *overlap) {
@@ -60,8 +62,8 @@ static inline bool redcc_range_is_disjoint_from_scalars(const redcc_loop *loop,
     return true;
 }
 
-/** As redcc_range_is_disjoint_from_scalars, for all sources, with the extents that are known before
- * execution. */
+/** As redcc_range_is_disjoint_from_scalars, for all sources, but only with the extents that are
+ * known before the execution. */
 static inline bool redcc_known_are_disjoint_from_scalars(const redcc_loop *loop,
                                                          const redcc_extent *known,
                                                          struct overlap *overlap) {
@@ -76,8 +78,9 @@ static inline bool redcc_known_are_disjoint_from_scalars(const redcc_loop *loop,
 }
 
 /**
- * Is everything that the loop reads (read [loop->source_count]) disjoint from everything that it
- * writes (written [written_count])? False: *overlap is the first pair that overlaps.
+ * Is everything that the loop reads (read[loop->source_count]) disjoint from everything that it
+ * writes (written[written_count])? If not, sets *overlap to the first pair that overlaps, and
+ * returns false.
  */
 static inline bool redcc_ranges_are_disjoint(const redcc_loop *loop, const struct range *read,
                                              const struct range *written, uint32_t written_count,

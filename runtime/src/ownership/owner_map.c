@@ -7,11 +7,11 @@
 #include <string.h>
 
 enum {
-    TOUCHES_A_BLOCK = 4, /* least number of sampled touches per block: with fewer, the majority
-                          * would be uncertain */
-    LEAST_BLOCKS = 64,   /* number of blocks that each group may have at least */
-    TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between adjacent blocks costs as many votes as
-                                   there are touches, divided by this number */
+    TOUCHES_A_BLOCK = 4, /* smallest number of sampled touches per block; with fewer, the majority
+                            would be uncertain */
+    LEAST_BLOCKS = 64,   /* each group may have at least this number of blocks */
+    TOUCHES_OF_A_CHANGE = 8192, /* the price of a change of owners between adjacent blocks, in
+                                   votes, is the number of touches divided by this */
     VOTES_MOST = 1 << 22,       /* limit of blocks * owners * TOUCHES_A_BLOCK */
     BLOCK_MOST = 1 << 30,       /* maximum size of a block in bytes */
     UNITS_MOST = 1 << 20        /* maximum number of units of a group in the extended map */
@@ -21,20 +21,20 @@ enum {
 struct poll {
     uint32_t owners;
     uint32_t *votes;     /* [blocks * owners] */
-    unsigned char *from; /* [blocks * owners] for block b and owner o: the best owner of the block
-                            before b if b has owner o */
-    uint64_t *most; /* [owners] for owner o: the value of the best map up to the current block in
-                       which this block has owner o */
+    unsigned char *from; /* [blocks * owners] for block b and owner o: the owner that the block
+                            before b has in the best map in which b has owner o */
+    uint64_t *most; /* [owners] for owner o: the value of the best map, up to the current block, in
+                       which the current block has owner o */
 };
 
-/* The number of units of `bytes` bytes, the first of which begins at `first`, that cover the
- * touched range. */
+/* The number of units of `bytes` bytes that cover the touched range, if the first of them begins at
+ * `first`. */
 static uint64_t units_to(uintptr_t first, struct range touched, uint32_t bytes) {
     return (touched.end - 1 - first) / bytes + 1;
 }
 
-/* Cuts the group into at most `most` blocks of rows. Their numbers begin with `begin`. False:
- * blocks would be too large. */
+/* Cuts the group into at most `most` blocks of rows, which are numbered from `begin` on. Returns
+ * false if blocks would be too large. */
 static bool number_blocks(struct group_map *it, const struct partition *partition, uint32_t group,
                           struct range touched, uint32_t begin, uint64_t most) {
     const uintptr_t first = redcc_unit_begin(partition, group, touched.first);
@@ -68,8 +68,8 @@ static uint32_t number_all(struct owner_map *map, const struct partition *partit
     return map->of ? count : 0;
 }
 
-/* The index in the map of the unit that contains `address`. Outside of the group's units, it is the
- * index of the nearest unit. */
+/* The index, in the map, of the unit that contains `address`. If no unit of the group contains it,
+ * returns the index of the nearest unit. */
 static uint32_t unit_at(const struct partition *partition, uint32_t group, uintptr_t address) {
     const struct group_map *it = &partition->map.of[group];
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;
@@ -90,8 +90,8 @@ static size_t iteration_end(const struct sample *sample, size_t begin) {
     return end;
 }
 
-/* Divides the iterations into consecutive parts, one per owner, which have equal numbers of the
- * `all` touches. Each touch is a vote for the owner of its part. */
+/* Divides the iterations into consecutive parts, one per owner, with equal numbers of touches
+ * (`all` is the total number). Each touch is a vote for the owner of its iteration's part. */
 static void cast_votes(const struct partition *partition, const struct sample *const *samples,
                        int threads, size_t all, struct poll *poll) {
     size_t before = 0;
@@ -119,14 +119,14 @@ static uint32_t best_of(const struct poll *poll) {
     return best;
 }
 
-/* Chooses the owners of a group's blocks that maximise the votes minus `price` per change of owners
- * between adjacent blocks, by Viterbi's algorithm (1967). Without the price, nearly even votes
- * would make owners alternate at random. */
+/* Chooses the owners of a group's blocks by Viterbi's algorithm (1967): they maximise the number of
+ * votes, minus `price` for each change of owners between adjacent blocks. Without the price, owners
+ * would alternate at random where votes are nearly even. */
 static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it,
                   uint64_t price) {
     const size_t owners = poll->owners;
     for (size_t o = 0; o < owners; o++)
-        /* the votes for owner o start at `price`, so that no value becomes negative */
+        /* begins with `price` for each owner, so that no value becomes negative */
         poll->most[o] = price;
     for (size_t block = it->begin; block < it->begin + it->count; block++) {
         const uint32_t best = best_of(poll);
@@ -179,8 +179,8 @@ void redcc_owner_map_vote(struct partition *partition, const struct range *touch
         redcc_owner_map_end(map);
 }
 
-/* Extends the group's units by more units of the same size, so that they cover the touched range.
- * False: the map has no units of the group, or would have too many. */
+/* Adds units of the same size to the group's units, so that they cover the touched range. Returns
+ * false if the map has no units of the group, or would have too many. */
 static bool widen(struct group_map *it, const struct partition *partition, uint32_t group,
                   struct range touched) {
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Chooses owners by majority votes. The iterations are divided into consecutive parts with equal
- * numbers of touches, and a block of rows belongs to the part that touches it most. Thus rows that
- * are stored after all others (halo cells, ghost atoms) belong to the thread that updates their
- * neighbours. The loop's result does not depend on the map, which only assigns work to threads.
+ * numbers of touches, one part for each owner. A block of rows belongs to the owner whose part
+ * touches it most. Thus rows that are stored after all others (halo cells, ghost atoms) belong to
+ * the thread that updates their neighbours. The loop's result does not depend on the map, which
+ * only assigns work to threads.
  */
 #ifndef REDCC_OWNER_MAP_H
 #define REDCC_OWNER_MAP_H
@@ -11,18 +12,18 @@
 #include "ownership/partition.h"
 #include "ownership/sample.h"
 
-/** Gives the partition a map by votes of the samples of `threads` threads; touched[g] is the range
- * in which group g was touched. If memory runs out, an array is scattered, or there are too many
- * owners, the partition has no map afterwards. */
+/** Gives the partition a map, by votes of the samples of `threads` threads; touched[g] is the range
+ * in which group g was touched. The partition has no map afterwards if memory runs out, an array is
+ * scattered, or there are too many owners. */
 void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
                           const struct sample *const *samples, int threads);
 
-/** Extends the map to the touched ranges. The map is removed if memory runs out, if it has no block
- * of a touched group, or if it would have too many blocks. */
+/** Extends the map to the touched ranges. Removes the map if memory runs out, if it has no block of
+ * a touched group, or if it would have too many blocks. */
 void redcc_owner_map_extend(struct partition *partition, const struct range *touched);
 
-/** The owner of the byte at `address` of group `group` according to the map. Outside of the map, it
- * is the owner of the nearest unit. */
+/** The owner of the byte at `address` of group `group`, according to the map. If the map does not
+ * contain the byte, it is the owner of the nearest unit. */
 uint32_t redcc_mapped_owner(const struct partition *partition, uint32_t group, uintptr_t address);
 
 #endif

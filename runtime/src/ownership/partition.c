@@ -61,8 +61,7 @@ void redcc_partition_join_stealable(struct partition *partition) {
     for (uint32_t group = 0; group < partition->array_count; group++) {
         const uintptr_t *cut = redcc_cuts(partition, group);
         for (uint32_t owner = 0; owner <= joined; owner++)
-            *to++ = cut[(size_t)owner * each]; /* the copy is in place: it never writes past the
-                                                  position from which it reads */
+            *to++ = cut[(size_t)owner * each]; /* in place: writes never pass reads */
     }
     partition->owners = joined;
     partition->stealable = 0;

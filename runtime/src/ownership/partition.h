@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The partition of bytes among owners: arrays that overlap form a group, and each group is cut into
- * one consecutive part per owner. Part number o of every group belongs to owner number o.
+ * The partition of the reduction arrays' bytes among owners. Arrays that overlap form a group, and
+ * each group is cut into one consecutive part per owner. Owner number o owns part number o of every
+ * group.
  */
 #ifndef REDCC_PARTITION_H
 #define REDCC_PARTITION_H
@@ -12,7 +13,7 @@
 #include <assert.h>
 
 /** Is the array scattered: are its elements at arbitrary addresses? Memory between the elements may
- * belong to other objects or be unmapped, so that only touched bytes may be read or written. */
+ * belong to other objects or be unmapped, so only touched bytes may be read or written. */
 static inline bool redcc_is_scattered(const void *base) {
     return base == NULL;
 }
@@ -40,25 +41,25 @@ struct partition {
     uint32_t array_count;
     uint32_t room; /* the number of owners for which memory is allocated */
     uint32_t owners;
-    /* every 1 + stealable consecutive owners form a share: the first of them has the largest part,
-     * and the others are stealable blocks, small parts for threads that finish early */
+    /* Each 1 + stealable consecutive owners form a share. The first owner of a share has the
+     * largest part. The others are stealable blocks, small parts for threads that finish early */
     uint32_t stealable;
     uintptr_t *base;    /* [array_count] the arrays' first elements */
-    uint32_t *group_of; /* [array_count] the group of each array; its number is that of the group's
+    uint32_t *group_of; /* [array_count] the group of each array. A group's number is that of its
                            array with the largest unit */
-    /* [array_count * (owners + 1)] cut[g * (owners + 1) + o] is the beginning of owner o in group
-     * g. The first cut of each group is 0, the last is UINTPTR_MAX. */
+    /* [array_count * (owners + 1)] cut[g * (owners + 1) + o] is the first address of owner o in
+     * group g. The first cut of each group is 0, the last is UINTPTR_MAX */
     uintptr_t *cut;
     bool mixed;           /* the arrays of some group differ in type or operator */
     uint32_t leader;      /* the group that determines the cuts of the others */
     struct owner_map map; /* if present, the map defines the owners in place of the cuts */
-    double share; /* fraction of the iterations that the most loaded owner executed in the first
-                     execution, if owners are kept for later executions; otherwise 0 */
+    double share; /* if owners are kept for later executions: the fraction of the iterations that
+                     the most loaded owner executed in the first execution; otherwise 0 */
 };
 
-/** The part of `amount` that all owners below `owner` have together. In each share the first owner
- * has 84 %, and its stealable blocks have 10 and 6 %. Without stealable blocks all owners have the
- * same part. */
+/** The part of `amount` that the owners below `owner` have together. Each share has an equal part;
+ * of this, the first owner has 84 %, and its stealable blocks have 10 and 6 %. Without stealable
+ * blocks all owners have equal parts. */
 static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, uint32_t owner,
                                           uint64_t amount) {
     static const uint64_t per_thousand[1 + REDCC_STEALABLE] = {0, 840, 940};
@@ -72,22 +73,22 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
 
-/** Moves the cuts with the arrays, which now begin at `bases`. */
+/** Moves the cuts of arrays that now begin at `bases`, by the same distances as the arrays. */
 void redcc_partition_move(struct partition *partition, void *const *bases);
 
-/** Makes a single owner of all bytes. The partition may be cut again, for at most the original
- * number of owners, after partition->owners is set. */
+/** Gives all bytes to a single owner. To cut the partition again, set partition->owners, to at most
+ * the original number. */
 void redcc_partition_in_one(struct partition *partition);
 
-/** Makes *whole a partition with one owner. *whole borrows all memory except `cut`, which must be
- * freed separately. False: out of memory. */
+/** Makes *whole a partition with one owner. *whole shares all memory with *partition except `cut`,
+ * which must be freed separately. Returns false if out of memory. */
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
 
 /** Merges owner o * (1 + stealable) and its stealable blocks into one owner, number o. */
 void redcc_partition_join_stealable(struct partition *partition);
 
-/** Gives every owner empty stealable blocks, which own no addresses. There must be room for them.
- */
+/** Gives every owner stealable blocks that own no addresses yet. There must be room for these
+ * owners. */
 void redcc_partition_add_stealable(struct partition *partition);
 
 /** Removes the map. */
@@ -110,11 +111,11 @@ static inline bool redcc_leads_group(const struct partition *partition, uint32_t
 
 enum merge_result {
     MERGE_NOTHING, /* no two groups overlap */
-    MERGE_DONE,    /* some groups were merged: their cuts and ranges must be recomputed */
-    MERGE_REFUSED  /* some groups overlap so that no cut is between units of both */
+    MERGE_DONE,    /* groups were merged, and their cuts and ranges must be recomputed */
+    MERGE_REFUSED  /* two groups overlap in such a way that no cut lies between units of both */
 };
 
-/** Merges groups whose ranges touched[group] overlap. Updates touched [array_count]. */
+/** Merges groups whose ranges touched[group] overlap, and updates touched[array_count]. */
 enum merge_result redcc_partition_merge(struct partition *partition, struct range *touched);
 
 /** The owner of the byte at `address` of group `group`. */

@@ -17,19 +17,19 @@ void redcc_sample_end(struct sample *sample) {
     *sample = (struct sample){0};
 }
 
-/* Is this touch selected, if one touch in `in` (a power of two) is to be selected on average? The
- * touches selected for a larger `in` are a subset. Touch t of iteration i has the fraction i a1 + t
- * a2 mod 1. Here a1 = 1/g and a2 = 1/g^2, where g is the real root of g^3 = g + 1. These fractions
- * are evenly distributed over every interval of iterations and of touches (Roberts, The
- * unreasonable effectiveness of quasirandom sequences, 2018). They are computed in units of 2^-64.
- */
+/* Is this touch selected, if on average one touch in `in` (a power of two) is to be selected? The
+ * touches that are selected for a larger `in` are also selected for a smaller one. Touch t of
+ * iteration i has the fraction i / g + t / g^2 mod 1, where g is the real root of g^3 = g + 1. It
+ * is selected if the fraction is at most 1 / in. These fractions are evenly distributed over every
+ * interval of iterations and of touches (Roberts, The unreasonable effectiveness of quasirandom
+ * sequences, 2018). They are computed in units of 2^-64. */
 static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
     const uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     return fraction <= UINT64_MAX / in;
 }
 
-/* The least n such that touch number `touch` + n is selected; `count` if there is no such n below
- * `count`. */
+/* The smallest n such that touch number `touch` + n is selected; `count` if there is no such n
+ * below `count`. */
 static uint32_t first_chosen(uint64_t iteration, uint32_t touch, uint32_t count, uint64_t in) {
     uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     uint32_t n = 0;

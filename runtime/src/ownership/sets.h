@@ -30,8 +30,8 @@ bool redcc_sets_begin(struct sets *sets, uint32_t owners);
 /** Frees the memory. */
 void redcc_sets_end(struct sets *sets);
 
-/** Sets *set to the number of the set of `count` >= 2 owners, which must ascend. False: out of
- * memory. */
+/** Sets *set to the number of the set of `count` >= 2 owners, members[count], which must ascend;
+ * adds the set if it is new. Returns false if out of memory. */
 bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t count, uint32_t *set);
 
 static inline uint32_t redcc_set_size(const struct sets *sets, uint32_t set) {

@@ -2,7 +2,7 @@
 /**
  * The access summary: the iterations that one thread inspected, in order, as spans of consecutive
  * iterations that touch the same set of owners. Most methods need only the summary to build a plan;
- * plan/method.h has what else they get (struct evidence).
+ * struct evidence (plan/method.h) has all that they get.
  */
 #ifndef REDCC_SUMMARY_H
 #define REDCC_SUMMARY_H
@@ -12,8 +12,8 @@
 #include "ownership/sets.h"
 #include <assert.h>
 
-/** A span: iterations from `begin` (relative to the block's origin) to before the next span's
- * `begin`, which touch the same set of owners. */
+/** A span: iterations that touch the same set of owners. They are numbered from `begin`, relative
+ * to the block's origin, to before the next span's `begin`. */
 struct span {
     uint32_t begin;
     uint32_t set;
@@ -46,7 +46,7 @@ bool redcc_summary_begin(struct summary *summary, uint32_t owners);
 /** Frees the summary's memory. */
 void redcc_summary_end(struct summary *summary);
 
-/** Begins a block of iterations origin, origin + 1, ... False: out of memory. */
+/** Begins a block whose first iteration is number `origin`. Returns false if out of memory. */
 bool redcc_summary_open_block(struct summary *summary, redcc_int origin);
 
 /** Adds the block's next `count` >= 1 iterations, which touch `set`. False: out of memory. */

@@ -62,8 +62,8 @@ void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner) {
     sweep->current = owner;
 }
 
-/* Adds a touch outside of the window. It is of another owner, of several owners, or outside of the
- * range touched so far. */
+/* Adds a touch that is not within the window. It touches another owner, several owners, or
+ * addresses beyond the range touched so far. */
 static void take_stray(struct sweep *sweep, uint32_t group, uintptr_t address, uint32_t bytes) {
     const struct range touch = {address, address + bytes};
     sweep->seen[group] = redcc_range_union(sweep->seen[group], touch);

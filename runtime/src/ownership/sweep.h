@@ -2,7 +2,7 @@
 /**
  * Converts an inspector's recorded addresses to an access summary. Each thread has one sweep.
  *
- * In the usual case a touch is of the same owner as the touch before it, and makes no entry
+ * In the usual case a touch has the same owner as the touch before it, and makes no entry
  * (redcc_touch). `window` is the part of an array that the current owner owns, within the range
  * that this thread has touched so far. So a touch inside it neither widens that range nor changes
  * the owner.
@@ -14,33 +14,34 @@
 
 struct sweep {
     const struct partition *partition;
-    struct range *seen;  /* [array_count] for each group: the range that this thread has touched */
+    struct range *seen;  /* [array_count] for each group, the range that this thread has touched */
     redcc_owner *window; /* [array_count] the window of each array */
-    uint32_t current;    /* an owner whose elements the current or the last iteration touches */
+    uint32_t current;    /* an owner of elements that the current or the last iteration touches */
     bool touched;        /* the current iteration touches an element */
     bool mixed; /* the current iteration touches elements of several owners, which are in `list` */
     uint32_t last_set;
-    redcc_int in_last_set; /* number of the last iterations that touch last_set, not yet added to
-                              the summary */
+    redcc_int in_last_set; /* number of the last iterations that touch last_set and are not yet
+                              added to the summary */
     uint64_t iteration;    /* number of iterations so far that touch several owners */
-    uint64_t *stamp; /* [owners] for each owner: the value of `iteration` in the last such iteration
-                        that touched it */
-    uint32_t
-        *list; /* [owners] the owners that the current iteration touches, if there are several */
+    uint64_t *stamp; /* [owners] for each owner, the value of `iteration` in the last iteration with
+                        several owners that touched it */
+    uint32_t *list;  /* [owners] the owners that the current iteration touches, if there are several
+                        of them */
     uint32_t listed;
     redcc_int done; /* number of iterations since the block was opened */
     struct summary summary;
     bool failed; /* out of memory: further entries are ignored */
 };
 
-/** Begins a sweep. seen [array_count] belongs to the caller and has the touched ranges known so
- * far; the sweep extends them. False: out of memory. Call redcc_sweep_end in either case. */
+/** Begins a sweep. seen[array_count] has, for each group, the range that is known to be touched so
+ * far; it belongs to the caller, and the sweep extends the ranges. Returns false if out of memory.
+ * Call redcc_sweep_end in either case. */
 bool redcc_sweep_begin(struct sweep *sweep, const struct partition *partition, struct range *seen);
 
 /** Frees the sweep's memory. */
 void redcc_sweep_end(struct sweep *sweep);
 
-/** Begins a block of iterations origin, origin + 1, ... */
+/** Begins a block whose first iteration is number `origin`. */
 void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin);
 
 /** Adds `alike` complete iterations that touch only the window. Then, if `inside` is set, adds a
@@ -57,11 +58,11 @@ void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner);
 /** Completes the current iteration. */
 void redcc_sweep_end_iteration(struct sweep *sweep);
 
-/** Ends the block. False: the number of recorded iterations is not `expected`, or out of memory. */
+/** Ends the block. Returns false if it did not get `expected` iterations, or if out of memory. */
 bool redcc_sweep_close_block(struct sweep *sweep, redcc_int expected);
 
-/** The number of executed iterations if every `each` consecutive owners are merged; an iteration
- * counts once for each owner that it touches. */
+/** The number of executed iterations, if each `each` consecutive owners were merged into one; an
+ * iteration counts once for each merged owner that it touches. */
 redcc_int redcc_sweep_executed(const struct sweep *sweep, uint32_t each);
 
 /** Adds to executed [owners] the number of iterations that each owner executes. */

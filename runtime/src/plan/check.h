@@ -5,9 +5,9 @@
 #include "plan/plan.h"
 
 /**
- * Checks that every iteration is executed by the right threads, the right number of times, and in
- * the order that the method promises. Builds with assertions check every plan. The check iterates
- * over the access summaries again, and allocates no memory.
+ * Checks that the plan executes every iteration in the right threads, the right number of times,
+ * and in the order that the method promises. Builds with assertions check every plan. The check
+ * iterates over the access summaries again, and allocates no memory.
  *
  *     LOCALWRITE  each owner's schedule consists of the iterations that touch its elements, in the
  *                 order of the loop, owner-checked if they also touch elements of others

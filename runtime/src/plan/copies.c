@@ -168,8 +168,8 @@ bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
     return true;
 }
 
-/* Divides `count` elements into `parts` parts. Part number `part` has the elements from *first to
- * before *end. */
+/* Divides `count` elements into `parts` parts. Part number `part` has the elements from number
+ * *first to before number *end. */
 static void share(size_t count, int part, int parts, size_t *first, size_t *end) {
     *first = (size_t)redcc_share((redcc_int)count, parts, part);
     *end = (size_t)redcc_share((redcc_int)count, parts, part + 1);
@@ -205,8 +205,8 @@ void redcc_copies_fill(const struct plan *plan, int thread) {
         fill_copy(plan, &plan->copies.copy[c], 0, 1);
 }
 
-/* Merges one copy after the other, each within this thread's block of the group: figure 9 (b) of
- * the paper (docs/methods.md). */
+/* Merges one copy after the other into this thread's block of the group, as in figure 9 (b) of the
+ * paper (docs/methods.md). */
 static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
                                const struct element_rule *rule, char *base, struct offsets block) {
     for (int c = 0; c < plan->copies.count; c++) {
@@ -222,8 +222,9 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
     }
 }
 
-/* Computes one element after the other from all copies, in the order of the copies: figure 9 (a) of
- * the paper (docs/methods.md). All copies must contain the whole group. */
+/* Merges element after element: adds the element's values in all copies, in the order of the
+ * copies, as in figure 9 (a) of the paper (docs/methods.md). All copies must contain the whole
+ * group. */
 static void merge_element_by_element(const struct plan *plan, uint32_t group,
                                      const struct element_rule *rule, char *base,
                                      struct offsets block) {

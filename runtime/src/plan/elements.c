@@ -20,9 +20,9 @@ enum {
 
 #define ALWAYS_INLINE static inline __attribute__((__always_inline__))
 
-/* The arguments of a rule: its name; the stored type; the neutral element; whether `x` changes
- * nothing, so that the element is not written because perhaps no iteration updated it; and `b`
- * combined with `x`. */
+/* The arguments of a rule: its name; the stored type; the neutral element; the condition under
+ * which merging `x` changes nothing; and the result of combining `b` with `x`. If the condition
+ * holds, the element is not written, because perhaps no iteration updated it. */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
     X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \
@@ -32,7 +32,8 @@ enum {
     X(T##_OR, U, 0, x == 0, (U)(b | x))                                                            \
     X(T##_XOR, U, 0, x == 0, (U)(b ^ x))
 
-/* The neutral element of a floating-point sum is -0.0: 0.0 + -0.0 is 0.0, -0.0 + -0.0 is -0.0. */
+/* The neutral element of a floating-point sum is -0.0, because b + -0.0 is b for every b, including
+ * 0.0 and -0.0. */
 #define REAL_RULES(X, T, S)                                                                        \
     X(T##_SUM, S, (S)-0.0, x == 0 && signbit(x), b + x)                                            \
     X(T##_PRODUCT, S, 1, x == 1, b * x)                                                            \
@@ -45,7 +46,7 @@ enum {
     X(T##_PRODUCT, S, 1, creal(x) == 1 && cimag(x) == 0, b * x)
 
 /* A counter that stops at the array's limit (tool/analysis/reduction/saturation.h). A copy starts
- * at LOWEST, so x - LOWEST is its number of increments, and the sum is limited. */
+ * at LOWEST, so x - LOWEST is the number of its increments. A merge limits the sum. */
 #define COUNTER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SATURATING, S, LOWEST, x == LOWEST || *to >= (S)limit,                                   \
       (U)((U)x - (U)LOWEST) >= (U)((U)limit - (U)b) ? (S)limit : (S)(U)((U)b + (U)x - (U)LOWEST))

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The operations on private copies for each operator and type: filling with the neutral element,
+ * The operations on private copies, for each operator and type: filling with the neutral element,
  * and merging a copy into the array. Integers are combined as unsigned numbers, so that nothing
  * overflows.
  *
- * An element of a copy that would change nothing is skipped, so that only updated elements are
- * written. An array of structures has other data between its rows, which must not be written.
+ * If merging an element of a copy would change nothing, it is skipped. So only updated elements are
+ * written: an array of structures has other data between its rows, which must not be written.
  */
 #ifndef REDCC_ELEMENTS_H
 #define REDCC_ELEMENTS_H
@@ -21,12 +21,12 @@ struct element_rule {
     /** to[i] = to[i] op from[i], for a merge of one copy after the other (figure 9 (b) of the
      * paper, docs/methods.md). `limit` is the limit of the array. */
     void (*merge)(void *to, const void *from, size_t count, redcc_word limit);
-    /** to[i] = to[i] op from[0][i] op from[1][i] ..., for one element after the other (figure 9
-     * (a)). */
+    /** to[i] = to[i] op from[0][i] op from[1][i] ..., one element after the other (figure 9 (a)).
+     * `limit` as for merge. */
     void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count,
                       redcc_word limit);
-    /** As merge_all, for an array to which all memory between touched elements belongs, so that no
-     * element is skipped. Makes the copies neutral again. */
+    /** As merge_all, for an array that owns all memory between its touched elements, so that no
+     * element need be skipped. Makes the copies neutral again. */
     void (*drain)(void *to, void *const *from, size_t copies, size_t count, redcc_word limit);
     /** Applies records of `count` elements each to rows of the same length, in order; NULL: the
      * operator is not supported. */

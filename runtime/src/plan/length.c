@@ -19,7 +19,7 @@ static redcc_int iterations_of(const struct schedule *schedule, const struct chu
     return sum;
 }
 
-/* The makespan with work stealing. Whichever thread finishes first takes the next stealable
+/* The makespan with work stealing, if whichever thread finishes first takes the next stealable
  * schedule. */
 static redcc_int length_with_stealing(const struct plan *plan, struct place *place) {
     redcc_int length = 0;
@@ -66,9 +66,9 @@ static redcc_int length_of_team(const struct plan *plan, int team, struct place 
     return length;
 }
 
-/* Simulates a thread's chunks up to the first chunk that waits for a flag not raised yet. up
- * [flags] has 1 + the time at which each flag was raised; 0: it is not raised yet. Returns whether
- * the thread advanced. */
+/* Simulates a thread's chunks, up to the first chunk that waits for a flag which is not raised yet.
+ * up[flags] has 1 + the time at which each flag was raised; 0: it is not raised yet. Returns
+ * whether the thread has advanced. */
 static bool advance(const struct schedule *schedule, struct place *place, redcc_int *up) {
     const size_t before = place->chunk;
     for (; place->chunk < schedule->chunk_count; place->chunk++) {

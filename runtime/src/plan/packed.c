@@ -21,7 +21,8 @@ static bool is_short(redcc_u32 gap, redcc_iterations run) {
     return gap < GAPS && run.count_and_check < COUNTS;
 }
 
-/* Packs the chunk's runs at `to`, or only counts if `to` is NULL. Returns the number of words. */
+/* Packs the chunk's runs at `to`; if `to` is NULL, packs nothing. Returns the number of words that
+ * the packed runs need. */
 static size_t pack_chunk(const struct schedule *schedule, const struct chunk *chunk, uint16_t *to) {
     size_t words = 0;
     redcc_u32 at = 0;
@@ -93,8 +94,7 @@ static size_t copy_runs(struct run_reader *reader, redcc_iterations *to, size_t 
 #endif
 
 #ifdef BY_FOUR
-/* Are these four words four short runs? This is so if none of them is the 0 that begins a longer
- * run. */
+/* Are these four words four short runs? True if none of them is the 0 that begins a longer run. */
 static bool all_are_short(const uint16_t *word) {
     const uint64_t each = 0x0001000100010001u;
     uint64_t counts;
@@ -107,8 +107,8 @@ static bool all_are_short(const uint16_t *word) {
 typedef uint16_t four_words __attribute__((vector_size(8)));
 typedef uint32_t four __attribute__((vector_size(16)));
 
-/* Reads four runs of one word each. `at` (four equal values) is the iteration to which the first
- * gap is relative. */
+/* Reads four runs of one word each. All four elements of `at` are the iteration to which the first
+ * gap is relative. Returns the iteration to which the next gap is relative, in the same form. */
 static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     const four none = {0, 0, 0, 0};
     four_words words;
@@ -126,8 +126,8 @@ static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     return at + __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
 }
 
-/* Reads whole groups of four runs of one word each, at most `room` runs. Returns the number of
- * runs. */
+/* Reads as many groups of four one-word runs as possible, at most `room` runs in total. Returns the
+ * number of runs. */
 static size_t read_short(struct run_reader *reader, redcc_iterations *to, size_t room) {
     const uint16_t *word = reader->word;
     four at = {reader->at, reader->at, reader->at, reader->at};

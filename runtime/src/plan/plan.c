@@ -148,8 +148,8 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_free(plan);
 }
 
-/* The lowest stage among the chunks of threads [first, end) that are not renumbered yet.
- * UINT32_MAX: there are none. at [end - first] has the index of each thread's first such chunk. */
+/* The lowest stage among the chunks of threads `first` to `end` - 1 that are not renumbered yet;
+ * UINT32_MAX if there are none. at[end - first] has the index of each thread's first such chunk. */
 static uint32_t next_stage(const struct plan *plan, int first, int end, const size_t *at) {
     uint32_t lowest = UINT32_MAX;
     for (int thread = first; thread < end; thread++) {

@@ -7,7 +7,8 @@
 #include "plan/plan.h"
 
 /* Can the array be compensated together with its group? It must be a sum of the same type as the
- * array that identifies the group, with elements aligned to the elements of that array. */
+ * array whose number identifies the group, and its elements must be aligned to those of that
+ * array. */
 static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
                  uint32_t array) {
     const redcc_array *it = &arrays[array], *lead = &arrays[group];

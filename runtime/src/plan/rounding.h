@@ -13,8 +13,8 @@ struct plan;
 
 /** The rounding errors of a group's elements. */
 struct rounding {
-    double
-        *value; /* [count] the error of each touched element; NULL: the group is not compensated */
+    double *value;    /* [count] the accumulated rounding error of each touched element; NULL: the
+                         group is not compensated */
     double *before;   /* [count] the value of each element before the current update */
     size_t count;     /* number of elements */
     ptrdiff_t offset; /* offset of the first element from the group's base */
@@ -28,8 +28,8 @@ static inline size_t redcc_rounding_element(redcc_type type) {
     return type == REDCC_FLOAT ? sizeof(float) : sizeof(double);
 }
 
-/** Allocates the errors of those groups of the plan that are sums of floats or doubles. False: out
- * of memory. */
+/** Allocates memory for the errors of those groups of the plan that are sums of floats or doubles.
+ * Returns false if out of memory. */
 bool redcc_rounding_new(struct plan *plan, const redcc_array *arrays);
 
 /** Frees the errors. */

@@ -29,8 +29,8 @@ static bool room_for_run(struct schedule *schedule) {
     return true;
 }
 
-/* Extends the last run by as many iterations of [begin, begin + count) as it can hold. Returns the
- * number of these iterations. */
+/* Extends the last run by as many of the iterations from `begin` to before `begin` + `count` as it
+ * can hold; by none if they do not continue it. Returns the number of these iterations. */
 static redcc_int lengthen(struct schedule *schedule, const struct chunk *chunk, redcc_int begin,
                           redcc_int count, bool checked) {
     redcc_iterations *run = &schedule->run[schedule->run_count - 1];

@@ -4,12 +4,12 @@
 #include <assert.h>
 
 enum {
-    BANDS_OF_A_THREAD = 16, /* the least number of bands per thread, because threads are idle for
-                               half a band at the end */
-    LEAST_SIDE = 16, /* with fewer, synchronisation would take more than a tenth of a tile's time
-                        (16 x 16 pairs) */
+    BANDS_OF_A_THREAD = 16, /* smallest number of bands per thread; at the end threads are idle for
+                               half a band on average */
+    LEAST_SIDE = 16, /* with a smaller side, synchronisation would take more than a tenth of a
+                        tile's time (16 x 16 pairs) */
     USUAL_SIDE =
-        128 /* with so many, the rows and columns of a tile stay in a core's first-level cache */
+        128 /* with this side, the rows and columns of a tile stay in a core's first-level cache */
 };
 
 redcc_int redcc_tile_side;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The division of a loop over pairs into tiles, which execute/tiles.h draws. */
+/** The division of a loop over pairs into tiles. execute/tiles.h has a drawing of it. */
 #ifndef REDCC_PLAN_TILE_GRID_H
 #define REDCC_PLAN_TILE_GRID_H
 
@@ -10,7 +10,7 @@
 
 enum {
     TILES_MOST_BANDS = 8192,
-    TILE_FLAG_WORDS = 16 /* number of words for each band's flag: a cache line */
+    TILE_FLAG_WORDS = 16 /* number of words for each band's flag: a whole cache line */
 };
 
 /** For tests: number of rows of a band; 0: it is computed. */

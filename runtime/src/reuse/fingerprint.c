@@ -39,15 +39,15 @@ static inline uint64_t load(const char *data, int word) {
     return value;
 }
 
-/* Combines a word of the data with a lane. The lanes are independent, which keeps the multiplier
- * busy. Each word enters its own lane through a multiplication and a rotation (a bijection, so that
- * no single change is lost). It also enters the neighbouring lane by addition, so that a change
- * affects two lanes of 64 bits. */
+/* Combines word i of the data with its lane. The lanes are independent, which keeps the multiplier
+ * busy. The word enters its own lane through a multiplication and a rotation (a bijection, so that
+ * no single change is lost). It also enters the neighbouring lane, by addition. So a change affects
+ * two lanes of 64 bits. */
 #define TAKE_IN(lane, data, i)                                                                     \
     lane = rotate((lane ^ load(data, i)) * FIRST, 32) + load(data, (i) ^ 1)
 
-/* Hashes `stripes` stripes at `data`. The lanes are separate variables, not an array, because only
- * then do compilers keep them in registers at -O2, which is three times as fast. */
+/* Hashes `stripes` stripes at `data` into `lane`. Inside, the lanes are separate variables, not an
+ * array. Only then do compilers keep them in registers at -O2, which is three times as fast. */
 static void take_in(uint64_t lane[LANES], const char *data, size_t stripes) {
     uint64_t a = lane[0], b = lane[1], c = lane[2], d = lane[3];
     uint64_t e = lane[4], f = lane[5], g = lane[6], h = lane[7];

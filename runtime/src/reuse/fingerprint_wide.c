@@ -38,9 +38,9 @@ WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
 }
 
 /* As in XXH3 (Y. Collet, xxHash's specification), each word is combined with the stripe's key, and
- * the product of its halves is added to a lane. The neighbouring word is added unchanged, so that
- * no single change is lost. Only the products detect swapped words, so each half is also multiplied
- * by a half of another word. */
+ * the product of the word's halves is added to a lane. The unchanged word is added to the
+ * neighbouring word's lane, so that no single change is lost. Only the products detect that two
+ * words were swapped. So each half is also multiplied by a half of another word. */
 __attribute__((target("avx2"))) void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES],
                                                         const char *data, size_t blocks,
                                                         const uint64_t key[REDCC_WIDE_KEYS]) {

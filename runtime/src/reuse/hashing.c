@@ -11,8 +11,8 @@ bool redcc_is_small(struct reading reading) {
     return redcc_range_bytes(reading.range) <= SMALL;
 }
 
-/* Returns the first byte of the thread's share, and sets *count to its number of bytes. All shares
- * except the last consist of whole stripes. */
+/* Returns the address of the thread's share of the reading, and sets *count to its number of bytes.
+ * All shares except the last consist of whole stripes. */
 static const char *share_of(struct reading reading, const struct hasher *hasher, size_t *count) {
     const size_t bytes = redcc_range_bytes(reading.range);
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
@@ -23,8 +23,8 @@ static const char *share_of(struct reading reading, const struct hasher *hasher,
     return (const char *)reading.range.first + first;
 }
 
-/* Continues the hash, in whole pieces, up to the fraction `part` of the share. If part is 1, hashes
- * it to its end. */
+/* Continues the hash of the thread's share, in whole pieces, up to the fraction `part` of the
+ * share. If `part` is 1, hashes the share to its end. */
 static void hash_up_to(struct partial_hash *partial, const struct hasher *hasher, double part) {
     size_t count;
     const char *const share = share_of(partial->reading, hasher, &count);
@@ -47,8 +47,8 @@ struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading 
     return partial.so_far;
 }
 
-/* Is this source a subscript array that is not small and whose range is known before the
- * inspection? */
+/* Is this source a subscript array whose range is known before the inspection, and which is not
+ * small (redcc_is_small)? */
 static bool is_hashed_early(const struct request *request, const struct range *sources,
                             uint32_t source) {
     return (request->loop->sources[source].flags & REDCC_IS_SUBSCRIPT) &&

@@ -11,8 +11,9 @@
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
 
-/* Sets sources [source_count] to the sources' ranges. False if this call knows the ranges of other
- * sources than the call for which the plan was built, or ranges of other lengths. */
+/* Sets sources[source_count] to the sources' ranges in this call. Returns false if this call gives
+ * the ranges of other sources than the call for which the plan was built, or ranges of other
+ * lengths. */
 static bool sources_fit(const struct kept_plan *kept, const struct request *request,
                         struct range *sources) {
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
@@ -41,8 +42,8 @@ static struct range place_of(const struct plan *plan, const struct request *requ
 }
 
 /* Are the arrays' relative positions those for which the plan was built? The arrays of a group must
- * have the same distances, and groups must be disjoint. Sets written [array_count] to the groups'
- * ranges. */
+ * have the same distances, and groups must be disjoint. Sets written[array_count] to the groups'
+ * ranges in this call. */
 static bool arrays_fit(const struct plan *plan, const struct request *request,
                        struct range *written) {
     for (uint32_t a = 0; a < plan->array_count; a++) {
@@ -187,8 +188,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     ask_tracking(reuse);
 }
 
-/* Is the source a part of another source? Its beginning must be in a source whose range is known.
- */
+/* Does the source begin inside of a source whose range is known? */
 static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known, uint32_t source) {
     const uintptr_t first = (uintptr_t)known[source].first;
     for (uint32_t s = 0; s < loop->source_count; s++)
@@ -197,7 +197,7 @@ static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known
     return false;
 }
 
-/* Adds the hash of the bytes to *all. Returns false if the time limit was exceeded. */
+/* Adds the hash of the bytes to *all. Returns false if the time `until` was exceeded. */
 static bool take_in(struct fingerprint *all, const char *data, size_t bytes, double until) {
     enum { PIECE = 256 * 1024 };
     for (size_t done = 0; done < bytes; done += PIECE) {
@@ -243,7 +243,8 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
  */
 
 /* All threads together compare a source. The range of the next source may depend on the contents of
- * this source, so no thread reads the next one before all threads have found this one unchanged. */
+ * this one. So no thread reads the next one before all threads have found this one unchanged.
+ * Returns whether it is. */
 static bool verify_together(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const struct reading reading = reading_of(reuse, source);
     hasher->fingerprint[source] = redcc_hash_share(hasher, reading);
@@ -261,8 +262,8 @@ static bool verify_alone(const struct reuse *reuse, uint32_t source) {
                                    reuse->found->source[source].fingerprint);
 }
 
-/* Compares a source by reading it. Only the first thread writes data for later calls. No other
- * thread reads these data in this call. */
+/* Compares a source by reading it, and returns whether it is unchanged. Only the first thread
+ * writes data for later calls; no other thread reads these data in this call. */
 static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const bool same = redcc_is_small(reading_of(reuse, source))
                           ? verify_alone(reuse, source)

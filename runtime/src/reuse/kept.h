@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Kept plans: a loop keeps its last few plans, each with a record of the call for which it was
- * built. A later call reuses a plan if the record matches the call, the overlap guard holds at the
- * arrays' current addresses, and the subscripts' fingerprints are unchanged.
+ * Kept plans: a loop keeps its last few plans, each with a record of the call for which the plan
+ * was built. A later call reuses a plan if three conditions hold. The record matches the call, the
+ * overlap guard finds no overlap at the arrays' current addresses, and the subscripts' fingerprints
+ * are unchanged.
  */
 #ifndef REDCC_KEPT_H
 #define REDCC_KEPT_H
@@ -29,12 +30,12 @@ struct source_record {
 struct kept_plan {
     struct plan *plan;
     redcc_word *key;                    /* [key_count] */
-    struct float_control float_control; /* settings of the thread that entered the loop, because
-                                           subscripts may depend on the rounding mode */
+    struct float_control float_control; /* settings of the thread that entered the loop; subscripts
+                                           may depend on its rounding mode */
     struct source_record *source;       /* [source_count] */
     uint64_t sampled;                   /* the value of reuse->sampled when the plan was built */
     uint64_t last_use;
-    bool stale; /* the subscripts were found changed, and the plan was not used since then */
+    bool stale; /* the subscripts were found changed, and the plan was not used since */
 };
 
 /** The plans that a loop keeps. */
@@ -42,16 +43,16 @@ struct plan_cache {
     struct kept_plan *kept[REDCC_PLANS]; /* NULL: a free slot */
     uint64_t clock;
     struct back_off
-        back_off; /* back-off after write tracking whose cost was not recovered (tracking.c) */
+        back_off; /* back-off after write tracking that did not save what it cost (tracking.c) */
 };
 
-/** One call's search for a plan; all threads share it. */
+/** One call's search for a plan. All threads share it. */
 struct reuse {
     struct plan_cache *cache;
     const struct call *call;
     struct hasher *const *hasher; /* [threads] the threads' hashers */
     struct barrier *barrier;
-    struct kept_plan *found; /* the plan that may be reused, or the plan in use; NULL: none */
+    struct kept_plan *found; /* the plan that may be reused or is in use; NULL: none */
     struct range *sources;   /* [source_count] the sources' ranges in this call */
     struct range
         *written; /* [array_count] the ranges that the plan's groups would write in this call */
@@ -59,46 +60,49 @@ struct reuse {
     double earned;      /* seconds that auto has saved by the plan, minus its construction */
     uint64_t sampled;   /* a hash of a few words of the subscripts; 0: not sampled */
     bool same;          /* the subscripts compared so far are unchanged */
-    int changed_source; /* the source whose change invalidated a plan in this call; -1: none */
+    int changed_source; /* the source whose change made a plan invalid in this call; -1: none */
 };
 
 /** A hash of some words of each subscript whose range the call gives, for reuse->sampled; 0: the
  * call gives no range. */
 uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known);
 
-/** Hashes all subscripts. Returns false if the range of a subscript array is unknown, or if that
+/** Hashes all subscripts. Returns false if the range of a subscript array is unknown, or if hashing
  * takes more than `seconds`. */
 bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, double seconds,
                              struct fingerprint *all);
 
-/** Searches for a plan of strategy `way` (WAY_SEQUENTIAL: of any strategy) for the call and the
- * number of threads. Compares everything except the contents of subscripts, of which only a sample
- * is compared, and checks the overlap guard. Asks for the state of write tracking. Sets
- * reuse->found and reuse->sources. */
+/** Searches for a plan of strategy `way` (WAY_SEQUENTIAL: of any strategy) for the call and for
+ * `threads` threads. It compares everything except the full contents of subscripts, of which it
+ * compares only a sample, and checks the overlap guard. If it finds a plan, it queries or begins
+ * write tracking. Sets reuse->found and reuse->sources. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
-/** Sets the bit of a strategy in *fits if redcc_reuse_find would find a plan of it. Sets the bit in
- * *changed if only the sample rules out the strategy's plan. If no plan fits, and the sample now
- * rules out the plan used last, sets reuse->changed_source. */
+/** Sets the bit of a strategy in *fits if redcc_reuse_find would find a plan of this strategy. Sets
+ * the bit in *changed if the strategy has a plan that only the sample rules out. If no plan fits,
+ * sets reuse->changed_source for the plan, among those that only the sample rules out, that was
+ * used last; but only once for each change. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of reuse->found unchanged? Every thread calls this function with its hasher
- * and gets the same answer. If the answer is no, sets reuse->changed_source. */
+ * and gets the same answer. If they have changed, sets reuse->changed_source. */
 bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher);
 
-/** Frees reuse->found, because its subscripts have changed or memory may have several addresses. */
+/** Frees reuse->found, because its subscripts have changed or the memory may have several
+ * addresses. */
 void redcc_reuse_drop_found(struct reuse *reuse);
 
-/** The number of sources of reuse->found that need not be read in this call. */
+/** The number of sources of reuse->found that need not be read in this call, because write tracking
+ * shows that they are unmodified. */
 uint32_t redcc_reuse_skipped_sources(const struct reuse *reuse);
 
-/** Is a plan for this call worth keeping, because a later call could verify it? sources
- * [source_count] are the ranges read. */
+/** Is a plan for this call worth keeping? False if no later call could verify it.
+ * sources[source_count] has the ranges that are read. */
 bool redcc_is_reusable(const struct request *request, const struct range *sources);
 
-/** Takes ownership of `plan` and records the call, with the fingerprints that the hashers computed.
- * Replaces the least recently used plan in the cache. False: out of memory, and the caller still
- * owns the plan. */
+/** Takes ownership of `plan`, and records the call with the fingerprints that the hashers computed.
+ * If the cache is full, replaces the least recently used plan. Returns false if out of memory; the
+ * caller then still owns the plan. */
 bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan);
 
 /** Frees all plans, so that there is memory for another. */

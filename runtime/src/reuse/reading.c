@@ -7,8 +7,8 @@
 #include <assert.h>
 #include <stdatomic.h>
 
-/* Removes the bytes of `shown` from *rest. Returns false if *rest has none of these bytes, or if
- * parts of *rest would remain on both sides. */
+/* Removes the bytes of `shown` from *rest. Returns false, and removes nothing, if *rest contains
+ * none of them, or if parts of *rest would remain on both sides. */
 static bool leave_out(struct range *rest, struct range shown) {
     if (!redcc_ranges_overlap(*rest, shown))
         return false;
@@ -39,8 +39,8 @@ struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *know
     return (struct reading){rest, has_gaps, 0, 0};
 }
 
-/* Can the whole range be read without a fault, and is it memory? The system populates the pages as
- * a read would, and reports success (Linux 5.14 and later, madvise(2)). */
+/* Can the whole range be read without a fault, and is it ordinary memory? The system populates the
+ * pages as a read would, and reports whether it succeeded (Linux 5.14 and later, madvise(2)). */
 static bool is_readable(struct range range) {
 #if defined(__linux__)
     enum { POPULATE_READ = 22 };

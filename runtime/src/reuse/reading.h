@@ -7,19 +7,19 @@
 #include "redcc/runtime.h"
 #include "reuse/fingerprint.h"
 
-/** Bytes that an earlier source covers are excluded, as for row_start[i] and row_start[i + 1]. In
- * this case the distance between the two sources is compared, too. */
+/** A reading does not include bytes that an earlier subscript source covers, as for row_start[i]
+ * and row_start[i + 1]. In this case the distance between the two sources is compared, too. */
 struct reading {
     struct range range;
-    bool has_gaps;   /* beginning and end come from the inspection, so that some bytes between them
-                        may not have been read, and may be unreadable */
+    bool has_gaps;   /* the range comes from the inspection, so some bytes in it may not have been
+                        read, and may be unreadable */
     uint32_t beside; /* 1 + the index of the earlier source; 0: none */
     uintptr_t distance; /* distance from the earlier source to this source */
 };
 
-/** The reading of source number `source` of the loop. sources [source_count] has the sources'
- * ranges; `known` has the ranges that are known before the inspection. If `sources` is NULL, there
- * are no other ranges, and the readings of the other sources are empty. */
+/** The reading of source number `source` of the loop. sources[source_count] has the sources'
+ * ranges; `known` tells which ranges are known before the inspection. If `sources` is NULL, only
+ * the ranges in `known` are used, and the readings of all other sources are empty. */
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 
@@ -32,15 +32,15 @@ static inline bool redcc_readings_equal(struct reading a, struct reading b) {
            a.distance == b.distance;
 }
 
-/** Computes the fingerprint of `range`, a part of the reading. Unreadable memory gives a value that
- * equals no other. */
+/** Computes the fingerprint of `range`, which is a part of the reading. Unreadable memory has a
+ * fingerprint that equals no other. */
 struct fingerprint redcc_part_fingerprint(const struct reading *reading, struct range range);
 
 /** Computes the fingerprint of the whole reading. */
 struct fingerprint redcc_reading_fingerprint(struct reading reading);
 
-/** Computes the fingerprint of the reading's bytes before and after its whole pages; of all its
- * bytes if it has no whole pages. */
+/** Computes the fingerprint of the reading's bytes that are before or after its whole pages. If it
+ * has no whole pages, computes the fingerprint of the whole reading. */
 struct fingerprint redcc_reading_ends(struct reading reading);
 
 #endif

@@ -16,9 +16,9 @@ static double pages_of(struct range pages) {
     return (double)(redcc_range_bytes(pages) / 4096);
 }
 
-/* The assumed cost, in seconds, of tracking that turns out useless. It doubles with each
- * consecutive failure. Tracking begins when comparisons have cost as much, so that it loses at most
- * the same amount again (the ski-rental rule). */
+/* The assumed cost, in seconds, of tracking that turns out to be useless. It doubles with each
+ * consecutive failure. Tracking begins when comparisons have cost as much. So useless tracking
+ * loses at most as much again (the ski-rental rule). */
 static double price(struct range pages, const struct back_off *rest) {
     const double times = rest->length ? (double)rest->length / (LEARN_BACK_OFF / 2.0) : 1;
     return times * LEARN_PAGE * (pages_of(pages) + (double)A_SOURCE);
@@ -33,8 +33,8 @@ static void back_off(struct tracking *tracking, struct back_off *rest) {
     rest->length = redcc_longer(rest->length);
 }
 
-/* Called when the source was written: updates the back-off, which depends on whether tracking has
- * paid. */
+/* Called when the source was written: ends tracking. If it has not paid, begins or lengthens the
+ * back-off; otherwise resets the back-off. */
 static void end_tracking(struct tracking *tracking, struct range pages, struct back_off *rest) {
     if (compared(pages, tracking->skipped) < price(pages, &(struct back_off){0})) {
         back_off(tracking, rest);
@@ -45,9 +45,10 @@ static void end_tracking(struct tracking *tracking, struct range pages, struct b
     tracking->version = 0;
 }
 
-/* Shares the tracking that another loop has begun. Otherwise begins tracking, if past comparisons
- * or the plan's savings cover its cost. Returns the version of the tracked pages; 0: they are not
- * tracked. A failed attempt is charged as well. */
+/* If another loop tracks the pages already, uses its tracking. Otherwise begins tracking, if past
+ * comparisons or the plan's savings cover the cost. Returns the version of the tracked pages; 0:
+ * they are not tracked. The cost of an attempt is subtracted from *earned even if the attempt
+ * fails. */
 static uint64_t begin_tracking(struct tracking *tracking, struct range pages, struct back_off *rest,
                                double *earned) {
     if (redcc_range_bytes(pages) < LEAST)

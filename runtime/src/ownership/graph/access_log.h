@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The access log records the units that each iteration of a thread's share touches. Units of the
- * leading group and those of further groups are in separate lists, in which the last unit of each
- * iteration is marked.
+ * The access log records the units that each iteration of a thread's share touches. A unit is a row
+ * of a reduction array. Units of the leading group and those of all other groups are in separate
+ * lists, in which the last unit of each iteration is marked.
  */
 #ifndef REDCC_ACCESS_LOG_H
 #define REDCC_ACCESS_LOG_H
@@ -11,8 +11,8 @@
 
 #include <assert.h>
 
-/** REDCC_LAST marks the last unit of an iteration in a list. REDCC_NO_UNIT is the only item of an
- * iteration without units. */
+/** REDCC_LAST is a bit that marks the last unit of an iteration in a list. REDCC_NO_UNIT is the
+ * only item of an iteration that touches no unit of the list. */
 #define REDCC_LAST 0x80000000u
 #define REDCC_NO_UNIT 0x7fffffffu
 
@@ -29,7 +29,8 @@ bool redcc_unit_list_add(struct unit_list *list, const uint32_t *item, size_t co
 /** Frees the list's memory. */
 void redcc_unit_list_end(struct unit_list *list);
 
-/** The number of units of the iteration that begins at item `at`. */
+/** The number of items of the iteration that begins at item `at`; it is 1 for an iteration without
+ * units, too. */
 static inline size_t redcc_iteration_length(const struct unit_list *list, size_t at) {
     size_t last = at;
     assert(at < list->count);
@@ -42,7 +43,7 @@ static inline size_t redcc_iteration_length(const struct unit_list *list, size_t
 struct logged_array {
     struct group_units units; /* the units of the array's group */
     struct unit_list *list;   /* the list to which these units are appended */
-    struct range *seen;       /* the range of the group that this thread has touched */
+    struct range *seen;       /* the range of the array's group that this thread has touched */
 };
 
 struct access_log {
@@ -50,19 +51,19 @@ struct access_log {
     uint32_t units;          /* total number of units */
     struct unit_list leading;
     struct unit_list
-        further;     /* the units of the other groups; not allocated if there is only one group */
+        further;     /* the units of all other groups; not allocated if there is only one group */
     redcc_int begin; /* the first iteration of the thread's share */
     redcc_int iterations; /* number of iterations recorded */
     size_t most;          /* maximum number of items of a list */
     bool too_much;        /* a list would have had more than `most` items */
-    bool beyond;          /* there was a touch outside of all units: the lists are unusable */
+    bool beyond;          /* a touch was outside of all units, so the lists are unusable */
     bool failed;          /* out of memory */
 };
 
 /** Begins a log at iteration `begin`, with space for about expected[0] touches of the leading group
- * and expected[1] of the other groups. A list has at most `most` items. seen [array_count] belongs
- * to the caller; the log extends these ranges. False: out of memory. Call redcc_access_log_end in
- * either case. */
+ * and expected[1] touches of the other groups. A list has at most `most` items. seen[array_count]
+ * has the ranges of the groups that the thread has touched; it belongs to the caller, and the log
+ * extends the ranges. Returns false if out of memory. Call redcc_access_log_end in either case. */
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most);
@@ -81,7 +82,8 @@ struct access_log_reader {
     size_t at;
 };
 
-/** The next unit of the current iteration, or REDCC_NO_UNIT; sets *last if it is the last one. */
+/** Reads the next unit of the current iteration, or REDCC_NO_UNIT if the iteration has none. Sets
+ * *last if it is the iteration's last item. */
 static inline uint32_t redcc_access_log_read(struct access_log_reader *reading, bool *last) {
     const uint32_t item = reading->list->item[reading->at++];
     *last = item & REDCC_LAST;

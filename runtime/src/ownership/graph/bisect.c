@@ -44,8 +44,9 @@ static void count_gains(const struct graph *graph, uint32_t node, const unsigned
     }
 }
 
-/* The part with the highest gain, among `here` and the parts with room for the node. Of parts with
- * equal gains, it is the lightest. The gain in `here` counts as 0 if that part is too heavy. */
+/* The part with the highest gain for a node of weight `weight`, among `here`, the node's part, and
+ * the parts with room for the node. If several parts have equal gains, it is the lightest. If part
+ * `here` is too heavy, its gain counts as 0. */
 static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
@@ -90,9 +91,10 @@ void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t coun
     }
 }
 
-/* Searches breadth first from `first` and then, repeatedly, from the first node not reached, until
- * node[0] to node[count - 1] are all in the order. Visits only nodes of part `within`. Returns the
- * last node reached from `first`, which is the farthest. */
+/* Orders the nodes of part `within`, which are node[0] to node[count - 1], by breadth-first search.
+ * The search begins at `first`. Whenever it reaches no further node, it continues from the first
+ * node in `node` that it has not reached. Returns the last node reached from `first`, which is the
+ * farthest. */
 static uint32_t search_from(struct division *division, uint32_t first, const uint32_t *node,
                             uint32_t count, uint32_t within) {
     const struct graph *graph = division->graph;
@@ -122,9 +124,9 @@ static uint32_t search_from(struct division *division, uint32_t first, const uin
     return farthest;
 }
 
-/* Orders nodes by a search from a pseudo-peripheral node. To find it, a search goes from an
- * arbitrary node to the farthest node, and a second search from there to the node farthest from
- * that. */
+/* Orders nodes by a search from a pseudo-peripheral node. To find such a node, a search goes from
+ * an arbitrary node to the node farthest from it, and a second search from there to the farthest
+ * node again. */
 static void order_from_boundary(struct division *division, const uint32_t *node, uint32_t count,
                                 uint32_t within) {
     uint32_t outer = node[0];
@@ -133,7 +135,8 @@ static void order_from_boundary(struct division *division, const uint32_t *node,
     search_from(division, outer, node, count, within);
 }
 
-/* The limit of a part's weight: an equal share plus slack, so that refinement can move nodes. */
+/* The limit of a part's weight: an equal share plus 1 % or the heaviest node's weight, so that
+ * refinement can move nodes. */
 static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
     const uint64_t percent = share / 100;
     return share + (percent > heaviest ? percent : heaviest);
@@ -150,8 +153,8 @@ static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t
     return sum / both * lower + sum % both * lower / both;
 }
 
-/* Divides the nodes node[0] to node[count - 1], which are all in part `low`, into parts [low,
- * high). */
+/* Divides the nodes node[0] to node[count - 1], which are all in part `low`, into the parts from
+ * `low` to before `high`. */
 static void bisect(struct division *division, uint32_t *node, uint32_t count, uint32_t low,
                    uint32_t high) {
     const struct graph *graph = division->graph;

@@ -10,19 +10,21 @@ enum { REDCC_PARTS_MOST = 256 };
 
 /**
  * Divides all nodes into parts 0 to parts - 1 (at most REDCC_PARTS_MOST parts). Each part that is
- * not stealable is followed by `stealable` stealable ones, and redcc_amount_below gives their
+ * not stealable is followed by `stealable` stealable ones; redcc_amount_below gives the parts'
  * sizes. The method is recursive bisection: a breadth-first search from a pseudo-peripheral node
- * orders the nodes, and the result is refined. Sets part [count]. False: out of memory.
+ * orders the nodes, the order is cut in two, and the result is refined. Sets part[count]. Returns
+ * false if out of memory.
  */
 bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stealable,
                         unsigned char *part);
 
 /**
- * Greedy refinement (after Kernighan-Lin and Fiduccia-Mattheyses) in at most `rounds` rounds. Moves
- * nodes of `list` that are in parts [low, high) to the part to which they have the strongest edges.
+ * Greedy refinement (after Kernighan-Lin and Fiduccia-Mattheyses) in at most `rounds` rounds. It
+ * considers the `count` nodes in `list` whose parts are from `low` to before `high`. It moves a
+ * node to the part, among these, to which the node has the strongest edges, if that part has room.
  * A node also moves to a part with equally strong edges if that balances the loads, and out of a
- * part above its limit. load [high] has the weights of the parts, and is updated; most [high] has
- * their limits.
+ * part that is above its limit. load[high] has the weights of the parts, and is updated; most[high]
+ * has their limits.
  */
 void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
                   unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,

@@ -11,8 +11,8 @@ enum { ROUNDS = 6 }; /* maximum number of rounds; a mesh needs two, a path four 
 
 #define NOTHING UINT32_MAX /* a choice: no node */
 
-/* The rank of a node. It is a bijection on 31 bits, so that the node can be computed from its rank.
- */
+/* The rank of a node: a hash that is a bijection on 31 bits, so that the node can be computed from
+ * its rank. */
 static uint32_t rank_of(uint32_t node) {
     const uint32_t mixed = node * 0x9e3779b1u & 0x7fffffffu;
     return mixed ^ mixed >> 16;
@@ -67,14 +67,14 @@ static inline uint32_t add(uint32_t weight, uint32_t more) {
     return sum < weight ? UINT32_MAX : sum;
 }
 
-/* All ones if the node is full, so that its rank is not chosen. Otherwise a row that all iterations
- * update would join all nodes. */
+/* All ones if the node is full: or'ed to its rank, they prevent that the node is chosen. Otherwise
+ * a row that all iterations update would join all nodes. */
 static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
     return size && size[node] >= most ? NOTHING : 0;
 }
 
-/* Lets each node of an iteration choose the iteration's node of lowest rank. There are no branches,
- * because they would be unpredictable. */
+/* Updates the choices of the nodes of an iteration: each may choose the iteration's node of lowest
+ * rank. There are no branches, because they would be unpredictable. */
 static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, const uint32_t *node,
                         size_t count) {
     uint32_t first = NOTHING;
@@ -126,7 +126,7 @@ static uint32_t size_of(const struct joining *it, uint32_t node) {
 }
 
 /* Adds the node to `cluster`, the cluster of the node that it has chosen, if the size limit
- * permits. Otherwise begins a new cluster with it. */
+ * permits. Otherwise the node begins a new cluster. */
 static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     const uint32_t size = size_of(it, node);
     if (cluster == NOTHING || it->joined[cluster] + size > it->clusters->most) {
@@ -137,13 +137,14 @@ static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     it->clusters->into[node] = cluster;
 }
 
-/* Follows the choices from this node, and assigns the nodes on this path to clusters: the last node
- * of the path first. */
+/* Follows the choices from this node on, up to a node that has chosen itself or is in a cluster
+ * already. Assigns the nodes on this path to clusters, from the path's last node back to its
+ * first. */
 static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
     enum { PATH = 64 };
     uint32_t path[PATH], length = 0, cluster = NOTHING;
     const uint32_t *into = it->clusters->into;
-    while (length < PATH) { /* a longer path is cut, and its beginning starts a new cluster */
+    while (length < PATH) { /* a longer path is cut, and its beginning gets a new cluster */
         path[length++] = node;
         const uint32_t chosen = choice[node] == NOTHING ? node : node_of(choice[node]);
         if (chosen == node)
@@ -158,8 +159,8 @@ static void settle_from(struct joining *it, const uint32_t *choice, uint32_t nod
         settle(it, path[--length], cluster);
 }
 
-/* Computes the clusters' weights as sums over their nodes. (The first weights come from the access
- * log: redcc_clusters_map.) */
+/* Computes each cluster's weight as the sum of its nodes' weights. (After the first round the
+ * weights come from the access log: redcc_clusters_map.) */
 static void add_up_weights(const struct clusters *clusters) {
     uint32_t *weight = clusters->share[0].weight, *sum = clusters->spare;
     memset(sum, 0, clusters->count * sizeof *sum);
@@ -202,8 +203,8 @@ void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t en
     }
 }
 
-/* Writes the clusters of an iteration's nodes to `to`, which may be `node`. Returns whether there
- * are several different clusters. */
+/* Writes the clusters of an iteration's nodes to `to`, which may be the same array as `node`.
+ * Returns whether the nodes are in different clusters. */
 static inline bool map_iteration(const uint32_t *into, const uint32_t *node, size_t count,
                                  uint32_t *to) {
     uint32_t differ = 0;

@@ -24,7 +24,8 @@ static size_t most_touches(redcc_int trip) {
 }
 
 /* Are there too many units for the maps and graphs? These have an entry for each unit between the
- * first and the last touched one, and in a sparse array most of these units are untouched. */
+ * first and the last touched unit of a group, although in a sparse array most of these units are
+ * untouched. */
 static bool is_too_wide(const struct divide *divide, double touches) {
     const double units_a_touch = 8, few = 1 << 20;
     const double most = units_a_touch * touches;
@@ -91,8 +92,9 @@ static struct share share_of(const struct divide *divide, uint32_t count, int th
                           (uint32_t)redcc_share(count, divide->threads, thread + 1)};
 }
 
-/* Waits at a barrier. The last thread to arrive calls `alone` unless a thread has failed or the
- * deadline has passed. Returns whether the threads may continue: the same to all of them. */
+/* Waits at a barrier. The last thread to arrive calls `alone`, unless a thread has failed (`done`
+ * is false) or the deadline has passed. Returns whether the threads may continue; all threads get
+ * the same result. */
 static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *)) {
     if (!done)
         atomic_store(&divide->failed, true);
@@ -106,8 +108,8 @@ static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *
 
 /* ---- clusters of units ----------------------------------------------------------------------- */
 
-/* Begins the clusters. Their size is small enough for balanced parts, and large enough for a small
- * graph. */
+/* Begins the clusters. Their maximum size is small enough for balanced parts, and large enough for
+ * a small graph. */
 static bool begin_clusters(struct divide *divide) {
     const struct units *units = &divide->units;
     const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
@@ -146,9 +148,9 @@ static bool cluster(struct divide *divide, int thread) {
 
 /* ---- a graph, by all threads ----------------------------------------------------------------- */
 
-/* Two functions build the edges of a graph whose nodes exist, from the iterations in
+/* count_edges and fill_edges build the edges of a graph whose nodes exist, from the iterations in
  * boundary.logged. count_edges counts the edges of this thread's nodes; fill_edges then stores
- * them. Both read all threads' iterations. The caller needs a barrier after each function. */
+ * them. Both read all threads' iterations. A barrier must follow each call. */
 static void count_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
     redcc_graph_count(graph, divide->boundary.logged, divide->threads, nodes.first, nodes.end);
@@ -288,8 +290,8 @@ static void cast_vote(atomic_ushort *vote, unsigned short mine) {
         ;
 }
 
-/* The owner of an iteration's units. If there are several owners, returns one of them with the flag
- * SEVERAL. NO_VOTE: there are no units. */
+/* The owner of an iteration's units. If they have several owners, returns one of them with the flag
+ * SEVERAL. If there are no units, returns NO_VOTE. */
 static inline unsigned short common_owner(const struct divide *divide, const uint32_t *unit,
                                           size_t count) {
     if (unit[0] == (REDCC_NO_UNIT | REDCC_LAST))
@@ -301,9 +303,10 @@ static inline unsigned short common_owner(const struct divide *divide, const uin
     return differ ? owner | SEVERAL : owner;
 }
 
-/* Votes for the owners of the other groups' units. Each iteration votes for its owner in the
- * leading group, and the lowest vote wins, so that the order of votes does not matter. Votes of
- * iterations with several owners (SEVERAL) count only if there are no other votes. */
+/* Votes for the owners of the units that are not in the leading group. Each iteration votes for its
+ * owner in the leading group. The lowest vote wins, so that the order of votes does not matter.
+ * Votes of iterations with several owners (SEVERAL) are higher than all others, and so count only
+ * if there are no other votes. */
 static void vote_further(struct divide *divide, int thread) {
     const struct unit_list *leading = &divide->logged[thread].leading;
     const struct unit_list *further = &divide->logged[thread].further;
@@ -320,8 +323,8 @@ static void vote_further(struct divide *divide, int thread) {
     }
 }
 
-/* Assigns the units of the other groups to the winning owners. Units without a vote are distributed
- * evenly. */
+/* Assigns the units that are not in the leading group to the owners that won. Units without a vote
+ * are distributed evenly. */
 static void count_votes(struct divide *divide, int thread) {
     const uint32_t leading = divide->units.leading, count = divide->units.count - leading;
     const struct share share = share_of(divide, count, thread);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Chooses owners by partitioning the access graph. Each unit of the reduction arrays gets an owner,
- * such that few iterations touch units of several owners and the load is balanced. The steps are:
+ * so that few iterations touch units of several owners and the load is balanced. The steps are:
  *
  *     logged     the access log of the inspector                               all threads
  *     clusters   of some dozens of units of the leading group                  all threads
@@ -25,8 +25,8 @@
 /** The boundaries between the parts of different owners. */
 struct boundary {
     unsigned char *is_boundary; /* [units.leading] does an iteration touch both this unit and a unit
-                                   of another owner? */
-    struct unit_list *list;     /* [threads] the iterations that touch such a unit */
+                                   of another owner? Such units are boundary units */
+    struct unit_list *list;     /* [threads] the iterations that touch a boundary unit */
     const struct unit_list **logged; /* [threads] the lists from which a graph is built */
     struct graph graph;              /* the graph of the boundary units */
 };
@@ -45,7 +45,8 @@ struct divide {
     struct graph coarse;
     unsigned char *part; /* [clusters.count] the owner of each cluster */
     struct boundary boundary;
-    atomic_ushort *vote; /* [units.count - units.leading] winning votes, for other groups' units */
+    atomic_ushort *vote; /* [units.count - units.leading] for each unit that is not in the leading
+                            group: the winning vote */
     double deadline; /* a time on the clock of redcc_seconds, checked at barriers; 0: no deadline */
     atomic_bool failed;
     bool clustered; /* redcc_clusters_join has returned false */
@@ -59,19 +60,20 @@ enum divide_result {
     DIVIDE_BEYOND      /* there was a touch outside of the numbered units */
 };
 
-/** Begins a division. Checks whether the arrays can be divided if group g is touched at most in
- * touched[g] and there are about `touches` touches in total. Allocates the threads' initial memory;
- * call redcc_divide_end in any case. */
+/** Begins a division. Group g is touched at most in touched[g], and there are about `touches`
+ * touches in total. Checks whether the arrays can be divided, and allocates the threads' initial
+ * memory. Call redcc_divide_end in any case. */
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
                                       const struct range *touched, int threads, redcc_int trip,
                                       double touches);
 
 /** Divides the units, after all threads have recorded their iterations. All threads call this
- * function, and get the same result. seen [array_count] belongs to the thread. */
+ * function, and get the same result. seen[array_count] has the ranges that the thread has touched,
+ * and belongs to the caller. */
 enum divide_result redcc_divide(struct divide *divide, int thread, struct range *seen);
 
-/** Joins stealable blocks to the owners before them, after they were joined in the partition. All
- * threads call this function, and get the same result. */
+/** Joins stealable blocks to the owners before them. They must have been joined in the partition
+ * already. All threads call this function, and get the same result. */
 enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen);
 
 /** Frees intermediate results. */

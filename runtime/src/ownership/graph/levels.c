@@ -8,8 +8,8 @@
 
 enum { FEW = 64 }; /* a level of fewer iterations is executed by one thread */
 
-/* The cost of a barrier, in iterations: some 2 microseconds, if a light iteration takes 10
- * nanoseconds. */
+/* The cost of a barrier, in units of an iteration's time: a barrier takes some 2 microseconds, a
+ * short iteration 10 nanoseconds. */
 static const double barrier_length = 200;
 
 static const uint32_t left_out = UINT32_MAX;
@@ -35,8 +35,8 @@ static uint32_t highest(const struct levelling *it, struct access_log_reader rea
     return level;
 }
 
-/* Marks the iteration's units as occupied in `level`. Returns whether the iteration has any units.
- */
+/* Marks the iteration's units as occupied up to `level`. Returns whether the iteration has any
+ * units. */
 static bool occupy(struct levelling *it, struct access_log_reader *reading, uint32_t level) {
     bool any = false;
     for (bool last = false; !last;) {
@@ -70,8 +70,8 @@ static void find_levels(struct levelling *it, const struct access_log *logged, i
     }
 }
 
-/* Assigns levels to stages. Consecutive levels of few iterations share a stage. Returns the number
- * of stages. */
+/* Assigns levels to stages. Consecutive levels that all have few iterations share a stage. Returns
+ * the number of stages. */
 static uint32_t find_stages(struct levelling *it) {
     uint32_t stages = 0;
     for (uint32_t t = 0; t < it->trip; t++)

@@ -6,12 +6,13 @@
 #include <assert.h>
 #include <string.h>
 
-/* An iteration of up to CLIQUE units adds an edge for each pair of its units. An iteration with
- * more units adds a ring of edges between consecutive units, so that the number of edges stays
+/* An iteration of up to CLIQUE units adds an edge for each pair of its units. An iteration of more
+ * units adds only a ring of edges between consecutive units. So the number of edges stays
  * proportional to the touches. */
 enum { CLIQUE = 4 };
 
-/* A node with more edges than this, including parallel ones, is a hub, whose edges are dropped. */
+/* A node that has more edges than this, counting parallel edges separately, is a hub, whose edges
+ * are dropped. */
 enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {
@@ -61,8 +62,8 @@ bool redcc_graph_take(struct graph *graph) {
     start[0] = 0;
     for (uint32_t node = 0; node < graph->count; node++) {
         const uint32_t degree = start[node + 2];
-        start[node + 1] = (uint32_t)sum; /* the index of the node's first edge; redcc_graph_fill
-                                            advances it to the end of its edges */
+        start[node + 1] = (uint32_t)sum; /* the index of the node's first edge. redcc_graph_fill
+                                            advances it to the end of the node's edges */
         sum += degree;
     }
     start[graph->count + 1] = (uint32_t)sum;
@@ -99,9 +100,9 @@ void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, 
         }
 }
 
-/* Merges the edges of node `node`, and appends them to the `count` edges of earlier nodes. place
- * [nodes] has the index of the last edge to each node; if that is `count` or more, the edge belongs
- * to this node. Returns the new number of edges. */
+/* Merges the edges of node `node`, and appends them to the `count` edges of earlier nodes. For each
+ * node, place[nodes] has the index of the last stored edge to it; if this is at least the initial
+ * `count`, that edge belongs to `node`. Returns the new number of edges. */
 static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, uint32_t end,
                             uint32_t count, uint32_t *place) {
     const uint32_t own = count;

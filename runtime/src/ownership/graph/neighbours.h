@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A weighted graph: node n's neighbours are neighbour[start[n]] ... neighbour[start[n + 1] - 1].
- * Each node (of those in `only`, if set) stores all of its edges. Parallel edges are stored
- * separately until redcc_graph_merge is called.
+ * A weighted graph: node n's neighbours are neighbour[start[n]] ... neighbour[start[n + 1] - 1]. An
+ * edge is stored at both of its nodes, but only at nodes in `only`, if that is set. Parallel edges
+ * are stored separately until redcc_graph_merge is called.
  *
  * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
- * that touches both ends (an iteration with more than four units adds a ring of edges). Each thread
- * builds the edges of its share of the nodes from all threads' access logs, in the order of the
- * loop. So the graph is independent of the number of threads.
+ * that touches both ends; an iteration with more than four units adds only a ring of edges. Each
+ * thread builds the edges of its share of the nodes from all threads' access logs, in the order of
+ * the loop. So the graph is independent of the number of threads.
  */
 #ifndef REDCC_NEIGHBOURS_H
 #define REDCC_NEIGHBOURS_H
@@ -44,8 +44,8 @@ static inline uint32_t redcc_work_of(size_t units) {
 void redcc_graph_count(struct graph *graph, const struct unit_list *const *list, int lists,
                        uint32_t first, uint32_t end);
 
-/** Allocates the edges, after all of them are counted. False: out of memory, or there are too many
- * edges. */
+/** Allocates memory for the edges, when all of them are counted. Returns false if out of memory, or
+ * if there are too many edges. */
 bool redcc_graph_take(struct graph *graph);
 
 /** Stores the edges of nodes [first, end). */

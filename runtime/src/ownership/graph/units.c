@@ -5,14 +5,14 @@
 
 #include "base/memory.h"
 
-/* The reciprocal for divisions by `bytes` (redcc_quotient), or 0 if it would not be exact. It is
- * exact for units of 2 to 65535 bytes and offsets below REDCC_UNITS_MOST units. */
+/* The reciprocal for divisions by `bytes` (redcc_quotient); 0 if it would not be exact. It is exact
+ * for units of 2 to 65535 bytes and offsets below REDCC_UNITS_MOST units. */
 static uint64_t reciprocal_of(uint32_t bytes) {
     const bool exact = bytes > 1 && bytes < 1u << 16;
     return exact ? UINT64_MAX / bytes + 1 : 0;
 }
 
-/* Numbers a group's units; the first number is `begin`. False: there are too many units. */
+/* Numbers a group's units, from `begin` on. Returns false if there are too many units. */
 static bool number_group(struct group_units *group, const struct partition *partition,
                          uint32_t number, struct range touched, uint64_t begin) {
     *group =

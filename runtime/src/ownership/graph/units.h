@@ -7,7 +7,7 @@
 
 #include "ownership/partition.h"
 
-/** The units of one group from the first touched one to the last. */
+/** The units of one group, from the first to the last touched unit. */
 struct group_units {
     uintptr_t first; /* address of the first unit */
     uint32_t begin;  /* number of the first unit */
@@ -22,7 +22,7 @@ struct units {
     bool too_many;    /* there are more than REDCC_UNITS_MOST units: both counts are 0 */
     uint32_t array_count;
     struct group_units *of; /* [array_count] the units of each group; empty for arrays whose number
-                               identifies no group */
+                               is not that of a group */
 };
 
 /** The largest possible number of units. */
@@ -36,8 +36,8 @@ bool redcc_units_begin(struct units *units, const struct partition *partition,
 /** Frees the memory. */
 void redcc_units_end(struct units *units);
 
-/** The number of the unit, in its group, that contains the byte at `offset` from the group's first
- * unit. */
+/** The number of the unit that contains the byte at `offset`. Both are counted from the group's
+ * first unit. */
 static inline uint64_t redcc_units_in(const struct group_units *group, uint64_t offset) {
     return redcc_quotient(offset, group->bytes, group->reciprocal);
 }

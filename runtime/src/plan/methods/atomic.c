@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * atomic: the baseline. Each thread executes an equal share of the iterations in the owner-checked
- * form, and locks a unit (a row) during each update (execute/hook.c). Locks work for every operator
- * and type, but only a few operators and types have atomic instructions.
+ * atomic: a method to compare others with. Each thread executes an equal share of the iterations in
+ * the owner-checked form, and locks a unit (a row) during each update (execute/hook.c). It uses
+ * locks because only a few operators and types have atomic instructions.
  */
 #include "plan/methods/shares.h"
 

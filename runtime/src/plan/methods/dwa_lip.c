@@ -2,9 +2,10 @@
 /**
  * DWA-LIP: data write affinity with loop-index prefetching, section 4.2.1 and figure 10 of
  * *Parallelization Issues of a Code for Physically-based Simulation of Fabrics* (docs/paper.md).
- * The arrays are cut into one block per thread. An iteration's pair (Bmin, deltaB) is the lowest
- * block that it writes, and the distance from that block to the highest. Iterations of pairs whose
- * blocks [Bmin, Bmin + deltaB] do not overlap are called write dissimilar and may run in parallel:
+ * The arrays are cut into one block per thread. Bmin is the lowest block that an iteration writes,
+ * and Bmin + deltaB the highest. If the blocks from Bmin to Bmin + deltaB of two pairs (Bmin,
+ * deltaB) do not overlap, the iterations of these pairs are called write dissimilar, and may run in
+ * parallel:
  *
  *     for deltaB = 0 .. blocks - 1
  *         for stage = 0 .. deltaB
@@ -12,8 +13,8 @@
  *                 execute the iterations of (Bmin, deltaB), in order
  *             barrier
  *
- * (The figure's loop over Bmin advances by deltaB; blocks Bmin .. Bmin + deltaB of two such pairs
- * would share one block, so it is deltaB + 1 here.) Stages without iterations are left out.
+ * (In the figure, the loop over Bmin advances by deltaB. Then two successive pairs would share a
+ * block, so here it advances by deltaB + 1.) Stages without iterations are left out.
  */
 #include "plan/methods/dwa_lip.h"
 
@@ -21,8 +22,8 @@
 
 #include "base/memory.h"
 
-/* The number of the stage, in the order above, to which the pair (lowest = Bmin, delta = deltaB)
- * belongs. */
+/* The number of the stage, in the order above, to which the pair (Bmin, deltaB) belongs. `lowest`
+ * is Bmin, and `delta` is deltaB. */
 static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
     return delta * (delta + 1) / 2 + lowest % (delta + 1);
 }
@@ -30,8 +31,8 @@ static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
 /* One thread's iterations, sorted by their pair. */
 struct pairs {
     uint32_t blocks;  /* total number of blocks */
-    uint32_t members; /* number of threads of the team: block b belongs to thread b % members of the
-                         team */
+    uint32_t members; /* number of threads of the team; block b belongs to thread number b % members
+                         of the team */
     uint32_t member;
     struct schedule *pair; /* [(block / members) * blocks + deltaB] the iterations of each pair */
 };

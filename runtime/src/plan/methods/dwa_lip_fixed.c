@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * DWA-LIP with a result that does not depend on the number of threads, because the arrays are cut
- * into N blocks, for any number of threads. Each element gets its contributions in the order of the
- * stages of figure 10 of the paper (dwa_lip.c), and within a stage in the order of the loop.
+ * DWA-LIP with a result that does not depend on the number of threads, because the arrays are
+ * always cut into N blocks. Each element gets its contributions in the order of the stages of
+ * figure 10 of the paper (dwa_lip.c), and within a stage in the order of the loop.
  *
  * There are no barriers: all iterations of one pair (Bmin, deltaB) are a task, which is executed by
  * the thread to which block Bmin belongs. Each thread executes its tasks in the order of the
@@ -57,9 +57,9 @@ static bool take_pair(void *context, uint32_t lowest, uint32_t delta, redcc_int 
     return redcc_schedule_add(pair, 0, begin, count, false);
 }
 
-/* Lists the tasks of other threads that last wrote the pair's blocks. Called for pairs in the order
- * of the stages. A task that wrote several blocks may be listed more than once, which does no harm.
- */
+/* Lists the tasks of other threads that this pair must wait for: for each of its blocks, the last
+ * task that wrote it. Called for pairs in the order of the stages. A task that wrote several blocks
+ * may be listed more than once, which does no harm. */
 static void find_waits(struct view *view, uint32_t lowest, uint32_t delta) {
     uint32_t before = 0;
     view->waits = 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * LOCALWRITE with owners chosen by partitioning the access graph. An owner's elements need not be
- * adjacent, so that with shuffled subscripts no more iterations touch elements of several owners
- * than with sorted ones.
+ * adjacent. So shuffling the subscripts does not increase the number of iterations that touch
+ * elements of several owners.
  */
 #include "plan/methods/localwrite.h"
 

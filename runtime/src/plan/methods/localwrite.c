@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * LOCALWRITE: each thread owns a part of the arrays and executes, in ascending order, every
- * iteration that writes to its part. Iterations that also write to other parts are executed by each
- * of these owners, in the owner-checked form, which writes only the thread's own elements.
+ * iteration that writes to its part. If an iteration writes to the parts of several owners, each of
+ * them executes it, in the owner-checked form, which writes only the thread's own elements.
  *
- * Each element gets its contributions in the order of the loop, so that the result has the bits of
- * the sequential loop.
+ * Each element gets its contributions in the order of the loop, so the result has the bits of the
+ * sequential loop.
  */
 #include "plan/methods/localwrite.h"
 
@@ -15,8 +15,8 @@
 
 enum { SKIP, PLAIN, CHECKED };
 
-/* [sets->count] For each set of owners: the form in which `owner` executes the iterations that
- * touch it. NULL: out of memory. */
+/* [sets->count] for each set of owners, the form in which `owner` executes the iterations that
+ * touch this set: SKIP, PLAIN or CHECKED. NULL: out of memory. */
 static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
     unsigned char *part = redcc_memory_alloc_zeroed(sets->count, 1);
     if (!part)
@@ -38,8 +38,8 @@ static void count_parts(const struct summary *summary, const unsigned char *part
     }
 }
 
-/* If most of the owner's iterations in a summary are owner-checked, makes all of these iterations
- * owner-checked: the gain from longer runs outweighs the checks. */
+/* If most of the owner's iterations in a summary are owner-checked, makes all of them
+ * owner-checked: longer runs gain more than the checks cost. */
 static void check_most(const struct summary *summary, unsigned char *part) {
     redcc_int amount[CHECKED + 1] = {0};
     count_parts(summary, part, amount);
@@ -53,8 +53,8 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
     unsigned char *part = parts_in(&summary->sets, owner);
     bool enough = part != NULL;
     if (enough && takes_idle)
-        part[0] = PLAIN; /* set 0 has the iterations that touch nothing, which the inspecting thread
-                            executes */
+        part[0] = PLAIN; /* set 0: iterations that touch nothing. The thread that inspected them
+                            executes them */
     if (enough)
         check_most(summary, part);
     for (size_t b = 0; enough && b < summary->block_count; b++) {

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE without access summaries or schedules: each thread evaluates the slice of all
- * iterations, finds the iterations that touch elements it owns, and executes them
- * (execute/select.h). The inspection cuts the arrays according to its sample, and finds extents for
- * the overlap guard.
+ * LOCALWRITE without access summaries or schedules. Each thread evaluates the slice of all
+ * iterations, finds the iterations that touch elements that it owns, and executes them
+ * (execute/select.h). The inspection only cuts the arrays according to its sample, and finds
+ * extents for the overlap guard.
  *
- * The assignment of iterations and their order are those of LOCALWRITE, so that the result has the
- * bits of the sequential loop.
+ * The assignment of iterations and their order are those of LOCALWRITE, so the result has the bits
+ * of the sequential loop.
  */
 #include "plan/plan.h"
 
-/* Sets the expected number of iterations, without replicated ones. The actual number is known only
- * after the execution. */
+/* Sets the expected number of iterations, without those that several threads execute. The actual
+ * number is known only after the execution. */
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     plan->schedule[thread].iterations = redcc_share(evidence->trip, evidence->threads, thread + 1) -
                                         redcc_share(evidence->trip, evidence->threads, thread);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE with work stealing: each thread owns most of an equal share of the arrays. The rest of
+ * LOCALWRITE with work stealing. Each thread owns most of an equal share of the arrays. The rest of
  * each share is cut into stealable blocks, which no thread owns. Threads that finish early take
- * these blocks one by one, the larger ones first. So no thread waits long for another that had more
- * expensive iterations or lost its core for a while.
+ * these blocks one by one, the larger ones first. So no thread waits long for another thread that
+ * had more expensive iterations or lost its core for a while.
  *
- * One thread executes a whole block in ascending order, so that each element gets its contributions
- * in the order of the loop. As overhead, iterations that write to several blocks are replicated.
+ * A block is executed by one thread, in ascending order, so each element gets its contributions in
+ * the order of the loop. The overhead is that iterations which write to several blocks are
+ * replicated.
  */
 #include "plan/methods/localwrite.h"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Partially expanded DWA-LIP: there are N copies of the arrays, the first of which is the arrays
- * themselves. The threads form N teams. Each team executes its share of the iterations by DWA-LIP
+ * Partially expanded DWA-LIP. There are N copies of the arrays; the arrays themselves count as the
+ * first copy. The threads form N teams. Each team executes its share of the iterations by DWA-LIP
  * on its own copy, which is cut into one block per thread of the team. This gives fewer blocks,
- * fewer stages and fewer conflicts.
+ * fewer stages and fewer conflicts than DWA-LIP by all threads.
  */
 #include "plan/methods/dwa_lip.h"
 

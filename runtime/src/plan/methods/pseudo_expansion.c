@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Pseudo-expansion: as array expansion, but a thread's copy covers only the range that its own
+ * Pseudo-expansion: array expansion, in which a thread's copy covers only the range that its own
  * iterations touch, as found by the inspector.
  */
 #include "plan/methods/shares.h"

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Array expansion with N shares of the iterations for any number of threads, like expansion-fixed.
- * It is for loops in which the program declares the sections of the arrays that are updated. The
- * first share writes to the arrays, and there is no inspection (choose/sections.h builds the plan).
+ * Array expansion with N shares of the iterations, for any number of threads, like expansion-fixed.
+ * It is for loops in which the program declares the sections of the arrays that are updated. Unlike
+ * in expansion-fixed, the first share writes to the arrays, and there is no inspection
+ * (choose/sections.h builds the plan).
  */
 #include "plan/methods/shares.h"
 

@@ -11,9 +11,9 @@
 #include "plan/plan.h"
 #include "plan/tile_grid.h"
 
-/* The number of words for flags, each of which has a cache line. The flags are the progress of each
- * thread's band, the progress of the band before the first of these, and that of the sums. The
- * first cache line has no flag. */
+/* The number of words for flags. Each flag has a cache line of its own. The flags are the progress
+ * of each thread's band, the progress of the band above the first of these, and the progress of the
+ * sums. The first cache line has no flag. */
 static uint32_t flags(uint32_t owners) {
     return TILE_FLAG_WORDS * (owners + 3);
 }

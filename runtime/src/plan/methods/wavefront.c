@@ -3,8 +3,9 @@
  * Order-preserving wavefronts: executes the levels of iterations (ownership/graph/levels.h) one
  * after the other. Each level is distributed evenly over the threads, but levels of few iterations
  * are executed by one thread. No iteration is owner-checked or executed twice. If two iterations
- * touch a common element, the first is in an earlier level, or one thread executes both in the
- * order of the loop. So each element gets its contributions in the order of the loop.
+ * touch a common element, the earlier one is in an earlier level. The two levels are separated by a
+ * barrier, or one thread executes both in the order of the loop. So each element gets its
+ * contributions in the order of the loop.
  */
 #include "ownership/graph/levels.h"
 #include "plan/methods/shares.h"

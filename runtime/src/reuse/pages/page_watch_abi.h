@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Definitions from Linux's <linux/userfaultfd.h> and <linux/fs.h> since 6.7, for asynchronous
- * write-protection, whose faults the kernel itself resolves and records: numbers and layouts of the
- * kernel's binary interface. They have separate names here, because older headers lack them.
- * (ioctl_userfaultfd(2), PAGEMAP_SCAN(2const).)
+ * Definitions of the kernel's binary interface for asynchronous write protection, in which the
+ * kernel itself resolves and records faults. They are those of Linux's <linux/userfaultfd.h> and
+ * <linux/fs.h> since 6.7, under other names, because older headers lack them. See
+ * ioctl_userfaultfd(2) and PAGEMAP_SCAN(2const).
  */
 #ifndef REDCC_PAGE_WATCH_ABI_H
 #define REDCC_PAGE_WATCH_ABI_H
@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <sys/ioctl.h>
 
-/** A flag of userfaultfd(2): only faults in user mode are handled, which needs no privilege. */
+/** A flag of userfaultfd(2): only faults in user mode are handled. So no privilege is needed. */
 #define WATCH_USER_MODE_ONLY 1
 
 /** The argument of UFFDIO_API, with the requested features. */

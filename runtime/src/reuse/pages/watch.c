@@ -12,8 +12,8 @@ struct watched {
     uint64_t last_use;
 };
 
-/* No thread waits for this lock: in a forked child of a process with several threads, it may be
- * held forever. */
+/* No thread waits for this lock. In a forked child of a process with several threads it may be held
+ * forever. */
 static struct spin lock;
 static struct watched watched[WATCHED];
 static uint64_t versions; /* the version assigned last */
@@ -27,8 +27,8 @@ static struct watched *find(struct range pages) {
     return NULL;
 }
 
-/* The range's version if its pages are unmodified. Otherwise sets the version to 0 and returns 0.
- */
+/* Returns the range's version if its pages are unmodified. Otherwise sets the version to 0 and
+ * returns 0. */
 static uint64_t version_of(struct watched *it) {
     if (!redcc_pages_untouched(it->pages))
         it->version = 0;
@@ -37,9 +37,9 @@ static uint64_t version_of(struct watched *it) {
     return it->version;
 }
 
-/* Updates the versions of all ranges before new pages are protected. This is necessary because
- * protecting pages clears the record of writes, and registering a mapping makes remapped addresses
- * valid again. Ranges that overlap the new one lose their versions. */
+/* Sets to 0 the versions of all ranges that were modified, and of those that overlap `pages`.
+ * Called before `pages` are protected, because protecting pages clears the record of writes, and
+ * registering a mapping makes remapped addresses valid again. */
 static void settle_others(struct range pages) {
     for (int i = 0; i < WATCHED; i++) {
         if (redcc_ranges_overlap(watched[i].pages, pages))

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A page is write-protected through a userfault descriptor in asynchronous mode: the first write to
- * it faults, and the kernel removes the page's mark (write protection) and resumes the write.
- * PAGEMAP_SCAN finds pages without the mark.
+ * Pages are write-protected through a userfault descriptor in asynchronous mode. The first write to
+ * a page faults; the kernel then removes the page's mark (its write protection) and resumes the
+ * write. PAGEMAP_SCAN finds pages without the mark.
  */
 #define _GNU_SOURCE /* for F_DUPFD_CLOEXEC, MREMAP_FIXED and struct statx */
 #include "reuse/pages/written_pages.h"
@@ -31,8 +31,8 @@ struct range redcc_whole_pages(struct range range) {
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* A descriptor opened by this file. The identity of its file is stored as well, because the program
- * may close any descriptor and open another file with the same number. */
+/* A descriptor that this file has opened. The identity of the opened file is stored as well,
+ * because the program may close any descriptor and open another file with the same number. */
 struct opened {
     int descriptor;
     uint64_t device;
@@ -42,8 +42,8 @@ struct opened {
 static struct opened faults;  /* the userfault descriptor, by which pages are protected */
 static struct opened pagemap; /* the descriptor by which pages are scanned for writes */
 
-/* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking was never
- * started. */
+/* A byte that is 1 in this process; in a child process the system clears it. NULL: tracking was
+ * never started. */
 static volatile char *own_mark;
 
 static bool look_at(struct opened *opened) {
@@ -64,8 +64,8 @@ static int request_of(const struct opened *opened, unsigned long request, const 
     return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
-/* The lowest number for the descriptors opened by this file: the last two of the current descriptor
- * table, or 512. Thus the program continues to get the low numbers. */
+/* The lowest number for the descriptors that this file opens: the last two numbers of the current
+ * descriptor table, or 512 and above. Thus the program continues to get low numbers. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
@@ -113,9 +113,9 @@ static bool protect(struct range pages) {
     return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* Are all pages marked and present? A page that is not present counts as written: if a whole page
- * table was dropped, for example by MADV_DONTNEED, kernels before July 2026 do not report the
- * write. */
+/* Are all pages marked and present? A page that is not present counts as written. The reason: if a
+ * whole page table was dropped, for example by MADV_DONTNEED, kernels before July 2026 do not
+ * report the write. */
 static bool untouched(struct range pages) {
     struct watch_region found;
     struct watch_scan scan = {.size = sizeof scan,
@@ -153,8 +153,8 @@ static bool touch(char *trial) {
                         goal) == (long)goal;
 }
 
-/* Tests that tracking works on this system as documented. For instance, a page that was moved to
- * another address must not keep its mark (in kernels before 6.12.11 it does). */
+/* Tests that tracking works on this system as documented. For example, a page that was moved to
+ * another address must not keep its mark, but in kernels before 6.12.11 it does. */
 static bool passes_trial(char *trial) {
     for (int page = 0; page < TRIAL_PAGES; page++)
         ((volatile char *)trial)[(size_t)page * redcc_page_size()] = 1;
@@ -180,8 +180,8 @@ static bool try_out(void) {
     return passed;
 }
 
-/* Allocates the page of own_mark, if there is none. A child process finds it cleared, and uses it
- * again. */
+/* Allocates the page that contains own_mark, if there is none. A child process finds this page
+ * cleared, and uses it again. Returns false on failure. */
 static bool make_mark(void) {
     if (!own_mark)
         own_mark = redcc_wiped_page();
@@ -228,7 +228,7 @@ bool redcc_pages_protect(struct range pages) {
     if (redcc_is_confined() || !redcc_may_watch(&mappings, pages, faults.descriptor))
         return false;
     for (int m = 0; m < mappings.count; m++) /* whole mappings, because the system would split a
-                                                mapping that is registered in part */
+                                                mapping of which only a part is registered */
         if (!enter(mappings.whole[m]))
             return false;
     return protect(pages);

@@ -8,19 +8,20 @@
 
 #include "base/range.h"
 
-/** Was tracking started in this process? After a fork the child cannot use the parent's
- *  descriptors, which refer to the parent's memory. */
+/** Was tracking started in this process? A forked child must start it again, because the parent's
+ * descriptors refer to the parent's memory. */
 bool redcc_pages_begun(void);
 
-/** Opens the descriptors and tests them. False: the system does not support tracking, or the
- * process must not try it (redcc_is_confined). Then no further attempt is made. */
+/** Opens the descriptors and tests them. Returns false if the system does not support tracking, or
+ * if the process must not try it (redcc_is_confined, redcc_has_accelerator). After that, all
+ * attempts in this process fail at once. */
 bool redcc_pages_begin(void);
 
 /** Protects these whole pages, so that writes to them are recorded. False on failure. */
 bool redcc_pages_protect(struct range pages);
 
 /** Are all pages present and unwritten since they were protected? Also false if that is unknown,
- * for example because an address was remapped. */
+ * for example because an address was remapped.  */
 bool redcc_pages_untouched(struct range pages);
 
 #endif
