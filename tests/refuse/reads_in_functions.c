@@ -188,7 +188,7 @@ void into_the_loop(int n, const int *count, const int *to, const int *list, cons
 /* It stores the next look-up's input. */
 static void renumber(const double *x, int *list, double *out) {
     for (int k = 0; k < 4; k++) {
-        list[k] = k;
+        list[k + 1] = k;
         *out += x[list[k]];
     }
 }

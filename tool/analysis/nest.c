@@ -13,6 +13,7 @@
 #include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/reduction/fixed_blocks.h"
+#include "analysis/updating_calls.h"
 #include "analysis/verdict.h"
 #include "ir/ir_position.h"
 
@@ -66,7 +67,7 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     if (kind != CONFLICT_SHARED || call->children[0]->kind != IR_FUNCTION ||
         !call->children[0]->function->body)
         return false; /* regular nests are reported by the array, which a call does not name */
-    access_collect(an->effects, call, &list);
+    access_collect_known(an->effects, call, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
@@ -314,6 +315,8 @@ void check_loops(loop_search *s, ir_function *function) {
     if (function->is_in_main_file && s->an->unit->dialect.replaces_openmp &&
         !s->an->options->any_order)
         search_blocks(s, from, function->body);
+    if (s->calls)
+        list_updating_calls(s, from);
     if (s->verdicts.count > from)
         qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),
               by_position);

@@ -145,7 +145,8 @@ typedef struct ir_variable {
     bool address_taken;          /* by &, or by the decay of an array other than as a subscript's
                                   * base or an argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
-    bool is_unnamed; /* of another file: no text of this file can name it. Not in the text form */
+    bool is_unnamed; /* of another file, or added by the translator: no text of this file can name
+                      * it. Not in the text form */
     const ir_declared *declared; /* NULL: not known. Not in the text form */
     const ir_node *stands_for;   /* of a variable that the translator adds: the pointer it holds,
                                   * which the function's loops load through other pointers

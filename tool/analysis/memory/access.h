@@ -61,8 +61,12 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 /** Appends all accesses of executing `node` (statement or expression) once. */
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
+/** The same for a call of a function with a body here: the function's accesses alone. If the
+ *  function has problems, only single elements that the caller can name. */
+void access_collect_known(effects *all, const ir_node *call, access_list *list);
+
 /** A function's summary: accesses other than to local variables, in terms of its parameters and
- *  globals. NULL: the function is recursive. */
+ *  globals; with problems, not all of them. NULL: the function is recursive. */
 const access_list *effects_of(effects *all, const ir_function *function);
 
 /** The part of an lvalue whose address determines the range of all of it: trailing subscripts that
