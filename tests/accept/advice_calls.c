@@ -72,7 +72,7 @@ static void recursion(int n) {
 static void add(double *p, int i, double v) { for (; i > 9; i /= 2) if (v > i) return; p[i] += v; }
 #else
 static void add(double *p, double v) { *p += v; }
-static int place(int i) { while (i > 9) i /= 2; return i; }
+static int halved(int i) { while (i > 9) i /= 2; return i; }
 static double value(int i, double v) { for (; i > 9; i /= 2) if (v > i) return -0.0; return v; }
 #endif
 
@@ -84,9 +84,9 @@ static void callee_updates(int n, double *restrict h) {
         add(h, s[t], e[t]);
 #else
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        add(&h[place(s[t])], value(s[t], e[t]));
+        add(&h[halved(s[t])], value(s[t], e[t]));
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        h[place(s[t])] += value(s[t], e[t]);
+        h[halved(s[t])] += value(s[t], e[t]);
 #endif
 }
 
