@@ -107,6 +107,7 @@ typedef struct kernel {
     bool has_parts;   /* programs of seeds that leave 1, divided by 6: loop_over_parts */
     bool has_turns;   /* programs of seeds that leave 6, divided by 7: turns.c */
     bool has_walks;   /* programs of seeds that leave 4, divided by 9: walks.c */
+    bool has_pairs;   /* programs of seeds that leave 3, divided by 19: pairs.c */
     bool has_shapes;  /* programs of seeds that leave 1, divided by 3: shapes.c */
     bool has_leaving; /* programs of seeds that leave 2, divided by 6: leave.c */
     bool has_recent;  /* programs of seeds that leave 2, 5, 6 or 9, divided by 10: recent.c */
@@ -177,7 +178,7 @@ const char *contribution(kernel *k, const array *a);
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
- * turns.c, walks.c, shapes.c, leave.c, recent.c, tables.c, lookups.c */
+ * turns.c, walks.c, pairs.c, shapes.c, leave.c, recent.c, tables.c, lookups.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -209,6 +210,7 @@ void recent_shape(kernel *k);
 void loop_with_directives(kernel *k);
 void loop_along_a_list(kernel *k);
 void walk_along_elements(kernel *k);
+void call_of_pair(kernel *k);
 void tables_by_pointers(kernel *k);
 void look_up_by_changed(kernel *k);
 array *any_reduction(kernel *k);
