@@ -10,7 +10,7 @@
 #include "analysis/base/expanded_call.h"
 #include "analysis/base/loop_loads.h"
 
-enum { MOST_ROUNDS = 3, MOST_CALLS = 32 };
+enum { MOST_ROUNDS = 3, MOST_CALLS = 400 };
 
 typedef VECTOR(expanded_call) expanded_list;
 
@@ -44,6 +44,24 @@ static bool put_back(const analysis_result *analysed, const expanded_list *calls
     return has_changed;
 }
 
+/* Adds, to what is said of a call, why the loop is refused with the function's body in its place.
+ */
+static void explain(arena *a, const analysis_result *expanded, analysis_result *analysed) {
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed->verdict_count + 1);
+    for (unsigned i = 0; i < analysed->verdict_count; i++) {
+        verdicts[i] = analysed->verdicts[i];
+        for (unsigned k = 0; k < expanded->verdict_count; k++)
+            if (verdicts[i].why.id == REASON_CALLEE_UPDATES &&
+                expanded->verdicts[k].loop == verdicts[i].loop &&
+                expanded->verdicts[k].kind == VERDICT_REFUSE &&
+                expanded->verdicts[k].why.id != REASON_CALLEE_UPDATES)
+                verdicts[i].why.message =
+                    arena_format(a, "%s (in its body: %s)", verdicts[i].why.message,
+                                 expanded->verdicts[k].why.message);
+    }
+    analysed->verdicts = verdicts;
+}
+
 analysis_result analyse_expanding(arena *a, ir_unit *unit, const analysis_options *options) {
     updating_calls updating = {0};
     expanded_list calls = {0};
@@ -53,5 +71,9 @@ analysis_result analyse_expanding(arena *a, ir_unit *unit, const analysis_option
         updating = (updating_calls){0};
         analysed = analyse_listing(a, unit, options, &updating);
     }
-    return put_back(&analysed, &calls) ? analyse(a, unit, options) : analysed;
+    if (!put_back(&analysed, &calls))
+        return analysed;
+    analysis_result result = analyse(a, unit, options);
+    explain(a, &analysed, &result);
+    return result;
 }

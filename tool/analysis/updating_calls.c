@@ -19,6 +19,16 @@ static bool is_update(const listing *l, const access *a) {
     return !object || !variable_is_automatic(object);
 }
 
+/* The order in which arguments are evaluated does not matter if they only read. */
+static bool only_reads(const listing *l, const ir_node *argument) {
+    access_list list = {0};
+    access_collect(l->search->an->effects, argument, &list);
+    bool is_fine = list.problems.count == 0 && list.ends.count == 0;
+    for (unsigned i = 0; i < list.items.count; i++)
+        is_fine &= list.items.items[i].kind == ACCESS_READ;
+    return is_fine;
+}
+
 static bool updates(listing *l, const ir_node *call) {
     const analyser *an = l->search->an;
     access_list list = {0};
@@ -32,6 +42,8 @@ static bool updates(listing *l, const ir_node *call) {
             l->is_shared |= conflict_at(an->facts, l->loop, list.items.items[i].lvalue, call) ==
                             CONFLICT_SHARED;
         }
+    for (unsigned i = 1; i < call->child_count && is_found; i++)
+        is_found = only_reads(l, call->children[i]);
     return is_found;
 }
 

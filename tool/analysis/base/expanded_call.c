@@ -139,6 +139,10 @@ static ir_node *call_in(const ir_node *statement) {
                : NULL;
 }
 
+static bool changes_something(const ir_node *node) {
+    return node->kind == IR_OPAQUE || expression_written(node);
+}
+
 ir_node *expanded_call_of(const ir_unit *unit, const ir_node *statement) {
     ir_node *call = call_in(statement);
     const ir_function *function = call ? ir_called_function(call) : NULL;
@@ -146,7 +150,7 @@ ir_node *expanded_call_of(const ir_unit *unit, const ir_node *statement) {
         statement->range.begin >= statement->range.end)
         return NULL;
     for (unsigned i = 1; i < call->child_count; i++)
-        if (ir_has_effect(call->children[i]) || !call->children[i]->type)
+        if (ir_any(call->children[i], changes_something) || !call->children[i]->type)
             return NULL;
     return call;
 }
