@@ -59,8 +59,19 @@ static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
 }
 
+static bool names_changed(const analyser *an, const ir_node *loop, const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return variable_is_automatic(node->variable) &&
+               variable_written_in(an->facts, loop, node->variable);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (names_changed(an, loop, node->children[i]))
+            return true;
+    return false;
+}
+
 /* Does the call update, through a pointer argument, an element that several iterations of `loop`
- * may update? */
+ * may update? If its function has other effects, the loop's own text must choose the element: a
+ * loop over time steps is no candidate. */
 static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call,
                          conflict_kind kind) {
     access_list list = {0};
@@ -71,7 +82,8 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            conflict_at(an->facts, loop, a->lvalue, call) == kind)
+            conflict_at(an->facts, loop, a->lvalue, call) == kind &&
+            (!list.problems.count || names_changed(an, loop, a->lvalue)))
             return true;
     }
     return false;

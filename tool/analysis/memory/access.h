@@ -61,8 +61,8 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 /** Appends all accesses of executing `node` (statement or expression) once. */
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
-/** The same for a call of a function with a body here: the function's accesses alone. If the
- *  function has problems, only single elements that the caller can name. */
+/** The same for a call. If its function has problems, those of its accesses are added that are
+ * single elements which the caller can name. */
 void access_collect_known(effects *all, const ir_node *call, access_list *list);
 
 /** A function's summary: accesses other than to local variables, in terms of its parameters and

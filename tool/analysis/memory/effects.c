@@ -358,13 +358,16 @@ void access_collect(effects *all, const ir_node *node, access_list *list) {
 }
 
 void access_collect_known(effects *all, const ir_node *call, access_list *list) {
+    access_collect(all, call, list);
+    const ir_function *function = call->children[0]->function;
+    const access_list *known = list->problems.count == 1 ? effects_of(all, function) : NULL;
+    if (!known || !known->problems.count ||
+        known->problems.items[0].why != list->problems.items[0].why)
+        return;
     access_list every = {0};
     access_walk walk = {all->memory, all, &every, 0, false};
-    const access_list *known = effects_of(all, call->children[0]->function);
-    if (known)
-        walk_known_call(&walk, call, known);
+    walk_known_call(&walk, call, known);
     for (unsigned i = 0; i < every.items.count; i++)
-        if (!known->problems.count ||
-            (every.items.items[i].is_exact && !every.items.items[i].loop_count))
+        if (every.items.items[i].is_exact && !every.items.items[i].loop_count)
             VECTOR_PUSH(all->memory, &list->items, every.items.items[i]);
 }
