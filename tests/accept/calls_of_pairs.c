@@ -3,6 +3,7 @@
 // covers: row 15, row 18
 // COMPILERS: gcc clang-19
 // INTEGERS: no
+// TILED: 42 47 75 93 112 152
 #include "case.h"
 #include <math.h>
 
@@ -41,6 +42,15 @@ static void all_pairs(int n, body *p) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int j = i + 1; j < n; j++)
             force(&p[i], &p[j]);
+}
+static void by_sums(world *s) {
+    for (int i = 0; i < s->count; i++) { // EXPECT: transformed
+        body *a = s->bodies + i;
+        for (int j = i + 1; j < s->count; j++) {
+            body *b = j + s->bodies;
+            force(a, b);
+        }
+    }
 }
 static void of_lists(int n, body *p) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -217,6 +227,7 @@ int main(void) {
         reset();
         all_pairs(N, all);
         CASE_PRINT(all);
+        by_sums(&w);
         of_lists(PAIRS, all);
         CASE_PRINT(all);
         by_numbers(N, all);
