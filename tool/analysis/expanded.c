@@ -7,6 +7,7 @@
  */
 #include "analysis/expanded.h"
 
+#include "analysis/base/expandable_call.h"
 #include "analysis/base/expanded_call.h"
 #include "analysis/base/loop_loads.h"
 
@@ -27,7 +28,7 @@ static bool take_in(arena *a, ir_unit *unit, const updating_calls *updating, exp
     const unsigned before = calls->count;
     for (unsigned i = 0; i < updating->count && calls->count < MOST_CALLS; i++) {
         const updating_call *call = &updating->items[i];
-        if (expanded_call_of(unit, call->statement))
+        if (expandable_call_of(unit, call->function, call->statement))
             VECTOR_PUSH(a, calls, expanded_call_take_in(unit, call->function, call->statement));
     }
     return calls->count > before;

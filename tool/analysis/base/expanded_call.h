@@ -24,14 +24,8 @@ typedef struct expanded_call {
     ir_node *block;
 } expanded_call;
 
-/** The call in the statement, if its arguments assign nothing, and its function has a body in this
- * file or its headers that can stand in the call's place: without labels, opaque parts, directives,
- * attributes, static variables, or a `return` in a loop. NULL: there is none. Functions called in
- * the arguments must not change anything: the arguments are evaluated in their order. */
-ir_node *expanded_call_of(const ir_unit *unit, const ir_node *statement);
-
-/** Adds the block's variables to the unit, and exchanges the statement for the block. Numbers the
- *  caller's nodes again. */
+/** For a statement with an expandable call: adds the block's variables to the unit, and exchanges
+ * the statement for the block. Numbers the caller's nodes again. */
 expanded_call expanded_call_take_in(ir_unit *unit, ir_function *caller, ir_node *statement);
 /** The last exchange that is still made must be taken back first. */
 void expanded_call_put_back(const expanded_call *call);
