@@ -191,6 +191,19 @@ static void neighbours(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         next_to(&values[pair_of[t][0]], t % 3, 0.5);
 }
+/* A parameter changes; the caller's variable does not. */
+static void halves(double *p, int at, double v) {
+    p[at + 1] += v;
+    at = at / 2;
+    p[at] -= v;
+}
+static void by_halves(int n, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int at = pair_of[t][0];
+        halves(values, at, v[at]);
+        values[at] += 0.25;
+    }
+}
 /* beyond the row's end, as far as C's rules let a compiler see */
 static void four(double *to) {
     for (int c = 0; c < 4; c++)
@@ -243,6 +256,7 @@ int main(void) {
         CASE_PRINT(h);
         computed(PAIRS, &of_rows_and_columns, &place[0][0]);
         neighbours(PAIRS);
+        by_halves(PAIRS, &place[0][0]);
         long_rows(PAIRS);
         stored_too(N, &place[0][0]);
         CASE_PRINT(values);
