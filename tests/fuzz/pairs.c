@@ -25,7 +25,7 @@ static const char *changed(kernel *k, const pair *p, const char *where, const ch
 }
 
 static const char *condition_in(kernel *k) {
-    static const char *const conditions[] = {"u == v", "at > 3", "(at & 3) != 1",
+    static const char *const conditions[] = {"u == v && at > 1", "at > 3", "(at & 3) != 1",
                                              "w > 0.5 && at < 40", "!(w < 0.25)"};
     return conditions[below(k, 5)];
 }

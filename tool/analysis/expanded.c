@@ -7,6 +7,7 @@
  */
 #include "analysis/expanded.h"
 
+#include "analysis/base/dead_branches.h"
 #include "analysis/base/expandable_call.h"
 #include "analysis/base/expanded_call.h"
 #include "analysis/base/loop_loads.h"
@@ -68,6 +69,7 @@ analysis_result analyse_expanding(arena *a, ir_unit *unit, const analysis_option
     expanded_list calls = {0};
     analysis_result analysed = analyse_listing(a, unit, options, &updating);
     for (unsigned round = 0; round < MOST_ROUNDS && take_in(a, unit, &updating, &calls); round++) {
+        dead_branches_take_out(unit); /* arguments decide conditions */
         loop_loads_name(unit);
         updating = (updating_calls){0};
         analysed = analyse_listing(a, unit, options, &updating);
