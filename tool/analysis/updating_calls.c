@@ -11,9 +11,11 @@ typedef struct listing {
     bool is_shared; /* a call updates an element that iterations of the loop share */
 } listing;
 
-/* Does it write a single element that the caller can name, and not in a local variable? */
+/* Does it write a single element, and not in a local variable? In functions with loops, the caller
+ * must be able to name the element. */
 static bool is_update(const listing *l, const access *a) {
-    if (a->kind == ACCESS_READ || !a->lvalue || !a->is_exact || a->loop_count)
+    if (a->kind == ACCESS_READ || !a->lvalue || a->loop_count ||
+        (!a->is_exact && ir_any(a->callee->body, ir_is_loop)))
         return false;
     const ir_variable *object = location_of(l->search->an->facts, a->lvalue, l->loop).object;
     return !object || !variable_is_automatic(object);
