@@ -32,6 +32,18 @@ void static_variable(int n, body *p) {
             counts(&p[i], &p[j]);
 }
 
+static void strong(body *a, body *b) {
+    static double strength = 2.0;
+    const double d = strength * (a->x - b->x);
+    a->f += d;
+    b->f -= d;
+}
+void static_read(int n, body *p) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        for (int j = i + 1; j < n; j++)
+            strong(&p[i], &p[j]);
+}
+
 static void keeps(body *a, body *b) {
     last = a;
     a->f += 1.0;

@@ -52,8 +52,7 @@ static bool can_be_copied(const ir_node *node, const ir_function *function) {
         break;
     case IR_VARIABLE:
     case IR_DECLARATOR:
-        if (node->variable->storage == IR_STATIC_LOCAL ||
-            node->variable->storage == IR_THREAD_LOCAL)
+        if (node->variable->storage == IR_THREAD_LOCAL)
             return false;
         if (node->variable->function && !can_be_renamed(node->variable, function->body))
             return false;
