@@ -162,6 +162,17 @@ void other_definition(int n, body *p) {
             replaced(&p[i], &p[j]);
 }
 
+__attribute__((no_instrument_function)) static void otherwise(body *a, body *b) {
+    const double d = a->x - b->x;
+    a->f += d;
+    b->f -= d;
+}
+void compiled_otherwise(int n, body *p) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        for (int j = i + 1; j < n; j++)
+            otherwise(&p[i], &p[j]);
+}
+
 static void within(body *a, body *b) {
     if (a->x - b->x > radius)
         return;
