@@ -69,10 +69,11 @@ static void recursion(int n) {
 }
 
 #ifdef BEFORE
-static void add(double *p, int i, double v) { if (i > 0) p[i] += v; }
+static void add(double *p, int i, double v) { for (; i > 9; i /= 2) if (v > i) return; p[i] += v; }
 #else
 static void add(double *p, double v) { *p += v; }
-static double positive(int i, double v) { return i > 0 ? v : -0.0; }
+static int halved(int i) { while (i > 9) i /= 2; return i; }
+static double value(int i, double v) { for (; i > 9; i /= 2) if (v > i) return -0.0; return v; }
 #endif
 
 static void callee_updates(int n, double *restrict h) {
@@ -83,10 +84,9 @@ static void callee_updates(int n, double *restrict h) {
         add(h, s[t], e[t]);
 #else
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        if (s[t] > 0)
-            add(&h[s[t]], e[t]);
+        add(&h[halved(s[t])], value(s[t], e[t]));
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        h[s[t]] += positive(s[t], e[t]);
+        h[halved(s[t])] += value(s[t], e[t]);
 #endif
 }
 

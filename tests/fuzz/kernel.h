@@ -107,6 +107,7 @@ typedef struct kernel {
     bool has_parts;       /* seed % 6 == 1: loop_over_parts */
     bool has_turns;       /* seed % 7 == 6: turns.c */
     bool has_walks;       /* seed % 9 == 4: walks.c */
+    bool has_pairs;       /* seed % 19 == 3: pairs.c */
     bool has_shapes;      /* seed % 3 == 1: shapes.c */
     bool has_leaving;     /* seed % 6 == 2: leave.c */
     bool has_recent;      /* seed % 10 is 2, 5, 6 or 9: recent.c */
@@ -181,7 +182,7 @@ const char *contribution(kernel *k, const array *a);
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
- * turns.c, walks.c, shapes.c, leave.c, recent.c, tables.c, lookups.c */
+ * turns.c, walks.c, pairs.c, shapes.c, leave.c, recent.c, tables.c, lookups.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -214,6 +215,7 @@ void recent_shape(kernel *k);
 void loop_with_directives(kernel *k);
 void loop_along_a_list(kernel *k);
 void walk_along_elements(kernel *k);
+void call_of_pair(kernel *k);
 void tables_by_pointers(kernel *k);
 void look_up_by_changed(kernel *k);
 array *any_reduction(kernel *k);

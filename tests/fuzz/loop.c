@@ -370,6 +370,8 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
         put_parts(k);
     else if (k->has_turns && chance(k, 80))
         put_alike(k, loop_along_a_list);
+    else if (k->has_pairs && chance(k, 90))
+        put_alike(k, call_of_pair);
     else if (k->has_walks && chance(k, 80))
         put_alike(k, walk_along_elements);
     else if (k->has_tables && chance(k, 80))
@@ -452,6 +454,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_parts = seed % 6 == 1;
     k.has_turns = seed % 7 == 6;
     k.has_walks = seed % 9 == 4;
+    k.has_pairs = seed % 19 == 3;
     k.has_tables = seed % 8 == 3;
     k.has_lookups = seed % 6 == 4;
     k.has_shapes = seed % 3 == 1;

@@ -10,7 +10,7 @@ static double *kept;
 
 static void beyond(double *p, int i, double v) {
     p[i] += v;
-    p[2 * i] -= v;
+    p[2 * i] = p[i] - v;
 }
 void by_subscript(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
@@ -21,7 +21,7 @@ static void add_to(double *p, double v) {
     *p += v;
 }
 static void pair(double *p, int i, int j, double v) {
-    p[i] += v;
+    p[i] += v * p[j]; /* what other pairs update */
     p[j] -= v;
 }
 void by_pairs(int n, const double *x, double *h) {
@@ -32,7 +32,7 @@ void by_pairs(int n, const double *x, double *h) {
 
 static void pair_and_sum(double *p, int i, int j, double v, double *sum) {
     *sum += v;
-    p[i] += v;
+    p[i] += v * *sum; /* what the pairs before have added up */
     p[j] -= v;
 }
 double by_pairs_and_sum(int n, const double *x, double *h) {
@@ -49,7 +49,7 @@ void dense_by_call(int n, int m, const double *x, double *h) {
 }
 
 static void next_to(double *p, double v) {
-    p[1] += v;
+    p[1] += v * p[0];
 }
 void neighbour(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
@@ -57,6 +57,9 @@ void neighbour(int n, const int *k, double *h) {
 }
 
 static void two(double *p, double *q, double v) {
+    for (int c = 0; c < 2; c++)
+        if (v < c)
+            return; /* in a loop */
     *p += v;
     *q -= v;
 }
@@ -65,12 +68,13 @@ void both_ends(int n, const int *k, double *h) {
         two(&h[k[t]], &h[k[t + 1]], 1.0);
 }
 
+static int calls;
 static void counted(double *p, double v) {
-    *p += v;
+    *p += v * ++calls;
     total += v;
 }
 void with_global(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) // EXPECT: nothing
+    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
         counted(&h[k[t]], 1.0);
 }
 
@@ -113,19 +117,19 @@ static void add_row(double to[3], const double from[3]) {
     for (int c = 0; c < 3; c++)
         to[c] += from[c];
 }
-void linear_rows(int n, const int *k, double *h, const double *v) {
+void linear_rows(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: nothing
-        add_row(&h[3 * k[t] + 1], v);
+        add_row(&h[3 * k[t] + 1], h);
 }
 
-void row_of_member(int n, const int *k, struct cell *p, const double *restrict v) {
+void row_of_member(int n, const int *k, struct cell *p) {
     for (int t = 0; t < n; t++) // EXPECT: nothing
-        add_row(p[k[t]].row, v);
+        add_row(p[k[t]].row, p->row);
 }
 
 static void add_four(double to[4]) {
     for (int c = 0; c < 4; c++)
-        to[c] += 1.0;
+        to[c] += to[0];
 }
 void too_long(int n, const int *k, double (*h)[3]) {
     for (int t = 0; t < n; t++) // EXPECT: nothing

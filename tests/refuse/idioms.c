@@ -142,7 +142,7 @@ void counter_given_away_inside(int n, double *h) {
 
 static void add_both(double *to, int k, double value) {
     to[k] += value;
-    to[k + 1] -= value;
+    to[k + 1] -= value * to[k];
 }
 
 void two_elements(int n, double *h) {
@@ -151,8 +151,8 @@ void two_elements(int n, double *h) {
 }
 
 static void add_where(double *to, int k, double value) {
-    if (k >= 0)
-        to[k] += value;
+    if (to[k] >= 0)
+        to[k + 1] += value;
 }
 
 void perhaps(int n, double *h) {
@@ -161,7 +161,7 @@ void perhaps(int n, double *h) {
 }
 
 static void add_looked_up(double *to, const int *k, int t, double value) {
-    to[k[t]] += value;
+    to[k[t]] += value * to[t];
 }
 
 void looked_up_inside(int n, double *h) {

@@ -146,7 +146,7 @@ void gwrite(int n, const int *k, double *h) {
 }
 
 static void upd(double *p, int i, double v) {
-    if (v > 0)
+    if (p[0] > 0)
         p[i] += v;
 }
 

@@ -188,7 +188,7 @@ void into_the_loop(int n, const int *count, const int *to, const int *list, cons
 /* The function stores to `list`, which its next read uses. */
 static void renumber(const double *x, int *list, double *out) {
     for (int k = 0; k < 4; k++) {
-        list[k] = k;
+        list[k + 1] = k;
         *out += x[list[k]];
     }
 }

@@ -121,7 +121,7 @@ void followed(int n, const int *k, struct list *head) {
 
 static void shift(double *row) {
     row[0] += 1.0;
-    row[1] -= 1.0;
+    row[1] -= row[0];
 }
 
 void whole_rows(int n, const int *k, double (**rows)[2]) {

@@ -15,7 +15,7 @@ extern double e[N];
 
 static void add_some(matrix *m, int r, int k, double value) {
     if (k < m->columns)
-        m->values[r * m->columns + k] += value;
+        m->values[r * m->columns + k] += value * m->values[0];
 }
 
 void sometimes(matrix *m, int n) {
@@ -25,6 +25,7 @@ void sometimes(matrix *m, int n) {
 
 static void add_by_table(matrix *m, int r, int k, double value) {
     m->values[m->start[r] + k] += value;
+    m->start[k]++;
 }
 
 void by_table(matrix *m, int n) {
@@ -34,7 +35,7 @@ void by_table(matrix *m, int n) {
 
 static void add_both(matrix *m, int r, int k, double value) {
     m->values[r * m->columns + k] += value;
-    m->values[k * m->columns + r] += value;
+    m->values[k * m->columns + r] += m->values[r * m->columns + k];
 }
 
 void two_elements(matrix *m, int n) {

@@ -73,7 +73,8 @@ static bool is_of_program(const ir_unit *unit, const ir_function *function) {
                                      : !function->is_from_system && !function->linkage.import;
 }
 
-analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {
+analysis_result analyse_listing(arena *a, const ir_unit *unit, const analysis_options *given,
+                                updating_calls *calls) {
     static const analysis_options no_options;
     const user_pragmas pragmas = pragmas_of_unit(a, unit);
     const analysis_options *options = with_pragmas(a, given ? given : &no_options, &pragmas);
@@ -90,7 +91,7 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
                              .assume_noalias = options->assume_noalias},
                    .text = unit_text_new(a, unit),
                    .pragmas = &pragmas};
-    loop_search loops = {.an = &an};
+    loop_search loops = {.an = &an, .calls = calls};
     for (unsigned i = 0; i < unit->function_count; i++)
         if (is_of_program(unit, unit->functions[i]))
             check_loops(&loops, unit->functions[i]);
@@ -99,4 +100,8 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
     const analysis_result result = {loops.verdicts.count, loops.verdicts.items};
     analysis_assert_result(unit, &result);
     return result;
+}
+
+analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options) {
+    return analyse_listing(a, unit, options, NULL);
 }

@@ -12,6 +12,7 @@
 #include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/reduction/fixed_blocks.h"
+#include "analysis/updating_calls.h"
 #include "analysis/verdict.h"
 #include "ir/ir_position.h"
 
@@ -59,19 +60,31 @@ static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
 }
 
+static bool names_changed(const analyser *an, const ir_node *loop, const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return variable_is_automatic(node->variable) &&
+               variable_written_in(an->facts, loop, node->variable);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (names_changed(an, loop, node->children[i]))
+            return true;
+    return false;
+}
+
 /* Does the call update, through a pointer argument, an element that several iterations of `loop`
- * may update? */
+ * may update? If its function has other effects, the loop's own text must choose the element: a
+ * loop over time steps is no candidate. */
 static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call,
                          conflict_kind kind) {
     access_list list = {0};
     if (kind != CONFLICT_SHARED || call->children[0]->kind != IR_FUNCTION ||
         !call->children[0]->function->body)
         return false; /* a report on a regular nest names the array, which a call does not show */
-    access_collect(an->effects, call, &list);
+    access_collect_known(an->effects, call, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            conflict_at(an->facts, loop, a->lvalue, call) == kind)
+            conflict_at(an->facts, loop, a->lvalue, call) == kind &&
+            (!list.problems.count || names_changed(an, loop, a->lvalue)))
             return true;
     }
     return false;
@@ -317,6 +330,8 @@ void check_loops(loop_search *s, ir_function *function) {
     if (function->is_in_main_file && s->an->unit->dialect.replaces_openmp &&
         !s->an->options->any_order)
         search_blocks(s, from, function->body);
+    if (s->calls)
+        list_updating_calls(s, from);
     if (s->verdicts.count > from)
         qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),
               by_position);

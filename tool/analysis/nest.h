@@ -9,9 +9,10 @@ typedef struct loop_search {
     const analyser *an;
     ir_function *function; /* the function being searched */
     VECTOR(loop_verdict) verdicts;
+    updating_calls *calls; /* of loops that stay sequential; NULL: they are not wanted */
 } loop_search;
 
-/** Analyses all loops of the function and appends the verdicts, in source order. */
+/** Analyses all loops of the function and appends the verdicts, in source order, and the calls. */
 void check_loops(loop_search *s, ir_function *function);
 
 #endif

@@ -187,12 +187,12 @@ static bool is_sum_of_pointer(const ir_node *node) {
 
 /* Converts the number to the width of an address. In a narrower type, a sum of subscripts could
  * overflow where the sums with the pointer do not. */
-static ir_node *as_long(accessors *a, ir_node *number) {
+static ir_node *as_long(arena *memory, ir_node *number) {
     if (number->type->kind == IR_INTEGER && number->type->is_signed && number->type->size == 8)
         return number;
-    ir_type *type = ARENA_NEW(a->memory, ir_type);
+    ir_type *type = ARENA_NEW(memory, ir_type);
     ir_scalar_type(type, ir_scalar_named("long", 4));
-    ir_node *cast = ir_new(a->memory, IR_CAST, type, 1);
+    ir_node *cast = ir_new(memory, IR_CAST, type, 1);
     cast->children[0] = number;
     cast->range = number->range;
     cast->flags = IR_FROM_MACRO;
@@ -200,19 +200,19 @@ static ir_node *as_long(accessors *a, ir_node *number) {
 }
 
 /* Splits a sum p + e - f + ... : returns p and stores e - f + ... in *subscript. */
-static ir_node *split_sum(accessors *a, ir_node *sum, ir_node **subscript) {
+static ir_node *split_sum(arena *memory, ir_node *sum, ir_node **subscript) {
     const ir_type *left = sum->children[0]->type;
     const unsigned side = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
     ir_node *base = sum->children[side], *number = sum->children[1 - side];
     const bool is_less = sum->op == IR_OP_SUBTRACT;
     ir_node *before = NULL;
     if (is_sum_of_pointer(base))
-        base = split_sum(a, base, &before);
+        base = split_sum(memory, base, &before);
     *subscript = number;
     if (!before && !is_less)
         return base;
-    ir_node *first = as_long(a, before ? before : number);
-    ir_node *whole = ir_new(a->memory, before ? IR_BINARY : IR_UNARY, first->type, before ? 2 : 1);
+    ir_node *first = as_long(memory, before ? before : number);
+    ir_node *whole = ir_new(memory, before ? IR_BINARY : IR_UNARY, first->type, before ? 2 : 1);
     whole->op = !before ? IR_OP_MINUS : sum->op;
     whole->children[0] = first;
     if (before)
@@ -225,52 +225,52 @@ static ir_node *split_sum(accessors *a, ir_node *sum, ir_node **subscript) {
     return base;
 }
 
-static void become_element(accessors *a, ir_node *node, ir_node *base, ir_node *subscript) {
+static void become_element(arena *memory, ir_node *node, ir_node *base, ir_node *subscript) {
     node->kind = IR_INDEX;
     node->op = IR_OP_NONE;
     node->child_count = 2;
-    node->children = ARENA_ARRAY(a->memory, ir_node *, 2);
+    node->children = ARENA_ARRAY(memory, ir_node *, 2);
     node->children[0] = base;
     node->children[1] = subscript;
 }
 
 /* Rewrites *(p + k) as p[k], and (p + k)->m as p[k].m. Several summands become one subscript,
  * because the analysis handles only one. */
-static void simplify_sum(accessors *a, ir_node *node) {
+static void simplify_sum(arena *memory, ir_node *node) {
     ir_node *sum = node->children[0], *subscript;
-    ir_node *base = split_sum(a, sum, &subscript);
+    ir_node *base = split_sum(memory, sum, &subscript);
     ir_node *element = node;
     if (node->kind == IR_MEMBER) {
         node->flags &= ~(unsigned)IR_ARROW;
-        node->children[0] = element = ir_new(a->memory, IR_INDEX, sum->type->target, 2);
+        node->children[0] = element = ir_new(memory, IR_INDEX, sum->type->target, 2);
         element->range = sum->range;
     }
     element->flags |= sum->flags & (IR_FROM_MACRO | IR_FROM_CALL);
-    become_element(a, element, base, subscript);
+    become_element(memory, element, base, subscript);
 }
 
 /* Rewrites the access *a to an array a as a[0]. */
-static void simplify_array(accessors *a, ir_node *node) {
-    ir_type *type = ARENA_NEW(a->memory, ir_type);
+static void simplify_array(arena *memory, ir_node *node) {
+    ir_type *type = ARENA_NEW(memory, ir_type);
     ir_scalar_type(type, ir_scalar_named("int", 3));
-    ir_node *first = ir_new(a->memory, IR_NUMBER, type, 0);
+    ir_node *first = ir_new(memory, IR_NUMBER, type, 0);
     first->text = "0";
     first->range = node->range;
     first->flags = IR_FROM_MACRO | IR_HAS_VALUE;
-    become_element(a, node, node->children[0], first);
+    become_element(memory, node, node->children[0], first);
 }
 
-static void simplify(accessors *a, ir_node *node, bool is_of_accessor) {
+void ir_simplify_access(arena *memory, ir_node *node, bool is_replaced) {
     const ir_node *pointer = node->child_count ? node->children[0] : NULL;
     const bool is_arrow = node->kind == IR_MEMBER && (node->flags & IR_ARROW);
     const bool is_dereference = node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
     if (!is_arrow && !is_dereference)
         return;
     if (is_dereference && pointer->type && pointer->type->kind == IR_ARRAY)
-        simplify_array(a, node);
+        simplify_array(memory, node);
     else if (is_sum_of_pointer(pointer))
-        simplify_sum(a, node);
-    else if (is_of_accessor && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
+        simplify_sum(memory, node);
+    else if (is_replaced && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
         simplify_address(node);
 }
 
@@ -283,7 +283,7 @@ static void visit(accessors *a, const ir_function *function, ir_node *node) {
             node->children[i] = place_of_call(a, function, child);
         has_changed |= node->children[i] != child;
     }
-    simplify(a, node, has_changed);
+    ir_simplify_access(a->memory, node, has_changed);
 }
 
 static void look_through(accessors *a, ir_function *function) {

@@ -7,6 +7,7 @@
 #include "analysis/base/dead_branches.h"
 #include "analysis/base/loop_loads.h"
 #include "analysis/base/reason.h"
+#include "analysis/expanded.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
 #include "ir/ir_text.h"
@@ -274,11 +275,11 @@ static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const strin
                                             const project *around, const analysis_options *asked) {
     loop_loads_name(unit);
     dead_branches_take_out(unit);
-    const analysis_result alone = analyse(a, unit, asked);
+    const analysis_result alone = analyse_expanding(a, unit, asked);
     if (!around || !imports_add(a, unit, around, flags, &alone))
         return alone;
     dead_branches_take_out(unit);
-    return analyse(a, unit, asked);
+    return analyse_expanding(a, unit, asked);
 }
 
 /** The text followed by the records of the file's own functions. */

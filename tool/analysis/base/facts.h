@@ -493,6 +493,15 @@ typedef struct loop_verdict {
                         * far */
 } loop_verdict;
 
+/** A statement whose call updates elements that iterations share, in a loop that stays
+ *  sequential. */
+typedef struct updating_call {
+    ir_function *function;
+    ir_node *statement;
+} updating_call;
+
+typedef VECTOR(updating_call) updating_calls;
+
 /** Does the output contain generated code for the loop? */
 static inline bool verdict_is_written(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_TRANSFORM || verdict->kind == VERDICT_BLOCKS;

@@ -80,7 +80,9 @@ static void name_load(naming *n, const ir_node *node) {
     const ir_node *under = pointer_under(node, &offset);
     if (is_load(under))
         name_load(n, under);
-    if (n->count == MOST_NAMED || named(n->variables.count, n->variables.items, n->function, node))
+    if (n->count == MOST_NAMED ||
+        named(n->unit->variable_count, n->unit->variables, n->function, node) ||
+        named(n->variables.count, n->variables.items, n->function, node))
         return;
     arena *a = n->unit->arena;
     ir_type *type = ARENA_NEW(a, ir_type);
@@ -108,11 +110,18 @@ static void name_loads(naming *n, const ir_node *node, bool is_in_loop) {
         name_loads(n, node->children[i], is_in_loop);
 }
 
+static unsigned count_named(const ir_unit *unit, const ir_function *function) {
+    unsigned count = 0;
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        count += unit->variables[i]->stands_for && unit->variables[i]->function == function;
+    return count;
+}
+
 void loop_loads_name(ir_unit *unit) {
     naming n = {.unit = unit};
     for (unsigned i = 0; i < unit->function_count; i++) {
         n.function = unit->functions[i];
-        n.count = 0;
+        n.count = count_named(unit, n.function);
         if (n.function->body && n.function->is_in_main_file)
             name_loads(&n, n.function->body, false);
     }

@@ -10,8 +10,8 @@
 
 #include "analysis/base/facts.h"
 
-/** Adds a variable to the unit for each such pointer that a function loads in a loop. Call it once,
- *  before variables are analysed. */
+/** Adds a variable to the unit for each such pointer that a function loads in a loop, unless it has
+ *  one already. Call it before variables are analysed, and again when loops were changed. */
 void loop_loads_name(ir_unit *unit);
 
 /** The loads of such pointers in the loop's body, and the loads through which they are reached.

@@ -104,7 +104,7 @@ static bool find_obstacle(ir_node *node, void *context) {
         return false;
     const ir_variable *variable = node->variable;
     if ((node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR) && variable && variable->name &&
-        strncmp(variable->name, "redcc__", 7) == 0) {
+        !variable->is_unnamed && strncmp(variable->name, "redcc__", 7) == 0) {
         text->obstacle = node;
         text->obstacle_name = variable->name;
         text->is_setjmp = false;

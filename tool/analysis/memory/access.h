@@ -69,8 +69,13 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 /** Appends all accesses that one execution of `node` (a statement or an expression) makes. */
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
+/** Like access_collect, but for a call. If its function has problems, this adds those of its
+ *  accesses that are single elements, and that the caller can name. */
+void access_collect_known(effects *all, const ir_node *call, access_list *list);
+
 /** The function's summary: its accesses, other than those of its local variables, expressed by its
- *  parameters and globals. NULL if the function is recursive. */
+ *  parameters and globals. If it has problems, accesses may be missing. NULL if the function is
+ *  recursive. */
 const access_list *effects_of(effects *all, const ir_function *function);
 
 /** The part of an lvalue whose address determines the range of the whole lvalue: trailing

@@ -115,7 +115,7 @@ static void summarise(effects *all, const ir_function *function, access_list *re
         access_problem problem = {REASON_IMPURE_CALL, function->body, function->name};
         VECTOR_PUSH(all->memory, &result->problems, problem);
     }
-    for (unsigned i = 0; i < raw.items.count && !result->problems.count; i++)
+    for (unsigned i = 0; i < raw.items.count && i <= SUMMARY_LIMIT; i++)
         summarise_access(all, function, &raw, &raw.items.items[i], result);
 }
 
@@ -365,4 +365,19 @@ void access_walk_call(access_walk *w, const ir_node *call) {
 void access_collect(effects *all, const ir_node *node, access_list *list) {
     access_walk walk = {all->memory, all, list, 0, false};
     access_walk_node(&walk, node);
+}
+
+void access_collect_known(effects *all, const ir_node *call, access_list *list) {
+    access_collect(all, call, list);
+    const ir_function *function = call->children[0]->function;
+    const access_list *known = list->problems.count == 1 ? effects_of(all, function) : NULL;
+    if (!known || !known->problems.count ||
+        known->problems.items[0].why != list->problems.items[0].why)
+        return;
+    access_list every = {0};
+    access_walk walk = {all->memory, all, &every, 0, false};
+    walk_known_call(&walk, call, known);
+    for (unsigned i = 0; i < every.items.count; i++)
+        if (every.items.items[i].is_exact && !every.items.items[i].loop_count)
+            VECTOR_PUSH(all->memory, &list->items, every.items.items[i]);
 }

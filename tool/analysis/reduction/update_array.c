@@ -218,6 +218,27 @@ static bool is_made_before(const loop_analysis *j, const ir_node *element,
            !writes_any_of(block, element->children[1]);
 }
 
+/* The element at an address &b[k], b + k or k + b. NULL if the address has another form. */
+static const ir_node *element_at(const loop_analysis *j, const ir_node *pointer) {
+    if (pointer && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
+        return pointer->children[0];
+    if (!pointer || pointer->kind != IR_BINARY || pointer->op != IR_OP_ADD ||
+        !ir_is_pointer(pointer))
+        return NULL;
+    const unsigned base =
+        ir_is_pointer(pointer->children[0]) || ir_is_array(pointer->children[0]) ? 0 : 1;
+    ir_node *element = ir_new(j->an->memory, IR_INDEX, pointer->type->target, 2);
+    element->range = pointer->range;
+    element->flags = pointer->flags & (IR_FROM_MACRO | IR_FROM_CALL);
+    element->parent = pointer->parent;
+    for (unsigned i = 0; i < 2; i++) {
+        element->children[i] =
+            ir_substitute(j->an->memory, pointer->children[i == 0 ? base : 1 - base], NULL, NULL);
+        element->children[i]->parent = element;
+    }
+    return element;
+}
+
 /* The element b[k] for an update through p = &b[k]. NULL if the pointer has another form, or if k
  * may have changed. */
 static const ir_node *element_of_pointer(const loop_analysis *j, const loop_access *update,
@@ -226,9 +247,7 @@ static const ir_node *element_of_pointer(const loop_analysis *j, const loop_acce
         return NULL;
     const ir_node *pointer =
         variable_single_definition(j->an->facts, ir_root_variable(update->access.form.target));
-    const ir_node *element = pointer && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS
-                                 ? pointer->children[0]
-                                 : NULL;
+    const ir_node *element = element_at(j, pointer);
     return element && element->kind == IR_INDEX &&
                    expression_same(element->children[0], update->where.base) &&
                    is_of_iteration_alone(j, element->children[1]) &&

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/expandable_call.h"
+
+#include <string.h>
+
+#include "analysis/base/expression.h"
+#include "analysis/base/returns.h"
+
+enum { MOST_NODES = 2000 }; /* of a function's body */
+
+/* ---- functions whose body can stand in a call's place -----------------------------------------
+ */
+
+static unsigned count_nodes(const ir_node *node) {
+    unsigned count = 1;
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += count_nodes(node->children[i]);
+    return count;
+}
+
+bool takes_address_of(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+        expression_is_variable(node->children[0], variable))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (takes_address_of(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/* Can a variable of another name take its place? */
+static bool can_be_renamed(const ir_variable *variable, const ir_node *body) {
+    if (ir_type_is_variably_modified(variable->type) || variable->has_other_name)
+        return false;
+    if (variable->storage == IR_PARAMETER)
+        return true;
+    /* otherwise an attribute passes its address: cleanup */
+    return variable->storage == IR_LOCAL && variable->type->spelling &&
+           (!variable->address_taken || !ir_type_is_scalar(variable->type) ||
+            takes_address_of(body, variable));
+}
+
+static bool can_be_copied(const ir_node *node, const ir_function *function) {
+    switch (node->kind) {
+    case IR_OPAQUE:
+    case IR_LABEL:
+    case IR_GOTO:
+        return false;
+    case IR_SIZEOF:
+        if (!(node->flags & IR_HAS_VALUE))
+            return false;
+        break;
+    case IR_VARIABLE:
+    case IR_DECLARATOR:
+        if (node->variable->storage == IR_THREAD_LOCAL)
+            return false;
+        if (node->variable->function && !can_be_renamed(node->variable, function->body))
+            return false;
+        break;
+    default:
+        break;
+    }
+    if (node->type && ir_type_is_variably_modified(node->type))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!can_be_copied(node->children[i], function))
+            return false;
+    return true;
+}
+
+/* A directive may choose other text when the output is compiled, or concern the compiler. */
+static bool holds_directive(const ir_unit *unit, ir_range range) {
+    for (unsigned i = 0; i < unit->directive_count; i++)
+        if (unit->directives[i].range.begin < range.end &&
+            range.begin < unit->directives[i].range.end)
+            return true;
+    return false;
+}
+
+/* f(a, b) double a, b; { ... }: arguments are converted otherwise. */
+static bool has_prototype(const ir_function *function) {
+    return function->type->spelling && !strstr(function->type->spelling, "()");
+}
+
+static bool can_stand_in(const ir_unit *unit, const ir_function *function) {
+    if (!function || !function->body || function->linkage.import || function->is_variadic ||
+        function->has_errors || function->has_other_attributes || function->linkage.is_weak ||
+        function->linkage.is_renamed || function->is_noreturn || function->is_from_system ||
+        !has_prototype(function) ||
+        (function->is_in_main_file && holds_directive(unit, function->body->range)))
+        return false;
+    for (unsigned i = 0; i < function->parameter_count; i++)
+        if (!can_be_renamed(function->parameters[i], function->body))
+            return false;
+    return count_nodes(function->body) < MOST_NODES && returns_are_structured(function->body) &&
+           can_be_copied(function->body, function);
+}
+
+/* ---- names ----------------------------------------------------------------------------------- */
+
+static bool is_hidden(const ir_unit *unit, const ir_function *caller, const char *name) {
+    if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
+        return true;
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->function == caller && strcmp(unit->variables[i]->name, name) == 0)
+            return true;
+    return false;
+}
+
+static bool is_before(const ir_declared *declared, const ir_function *caller) {
+    return !declared || declared->file || !caller->is_in_main_file ||
+           declared->offset < caller->range.begin;
+}
+
+/* Do the file's names in the body mean in the caller what they mean in the function? */
+static bool has_known_names(const ir_unit *unit, const ir_function *caller, const ir_node *node) {
+    const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
+    const ir_function *called = node->kind == IR_FUNCTION ? node->function : NULL;
+    if (variable && !variable->function &&
+        (!is_before(variable->declared, caller) || is_hidden(unit, caller, variable->name)))
+        return false;
+    if (called && (!is_before(called->declared, caller) || is_hidden(unit, caller, called->name)))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!has_known_names(unit, caller, node->children[i]))
+            return false;
+    return true;
+}
+
+/* ---- statements ------------------------------------------------------------------------------ */
+
+bool is_own_scalar(const ir_node *node) {
+    return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
+           !node->variable->address_taken && node->type && ir_type_is_scalar(node->type) &&
+           !node->type->is_volatile && !node->type->is_atomic;
+}
+
+/* The only call in an arithmetic expression of numbers and variables that no function can change.
+ * NULL: it has another form. */
+static ir_node *call_among(const ir_node *node, bool *is_plain) {
+    if (node->kind == IR_CALL)
+        return (ir_node *)node;
+    *is_plain &= node->kind == IR_NUMBER || node->kind == IR_CAST || is_own_scalar(node) ||
+                 (node->kind == IR_UNARY && node->op >= IR_OP_PLUS && node->op <= IR_OP_BIT_NOT) ||
+                 (node->kind == IR_BINARY && node->op <= IR_OP_NOT_EQUAL);
+    ir_node *found = NULL;
+    for (unsigned i = 0; i < node->child_count && *is_plain; i++) {
+        ir_node *call = call_among(node->children[i], is_plain);
+        *is_plain &= !call || !found;
+        found = call ? call : found;
+    }
+    return *is_plain ? found : NULL;
+}
+
+ir_node *call_in_statement(const ir_node *statement) {
+    ir_node *node = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
+    while (node && node->kind == IR_CAST && node->type && node->type->kind == IR_VOID)
+        node = node->children[0];
+    if (!node || node->kind == IR_CALL)
+        return node;
+    bool is_plain = true;
+    return node->kind == IR_ASSIGN && is_own_scalar(node->children[0])
+               ? call_among(node->children[1], &is_plain)
+               : NULL;
+}
+
+static bool changes_something(const ir_node *node) {
+    return node->kind == IR_OPAQUE || expression_written(node);
+}
+
+ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
+                            const ir_node *statement) {
+    ir_node *call = call_in_statement(statement);
+    const ir_function *function = call ? ir_called_function(call) : NULL;
+    if (!can_stand_in(unit, function) || !has_known_names(unit, caller, function->body) ||
+        call->child_count != function->parameter_count + 1 ||
+        statement->range.begin >= statement->range.end)
+        return NULL;
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (ir_any(call->children[i], changes_something) || !call->children[i]->type)
+            return NULL;
+    return call;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/updating_calls.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/loop/conflict.h"
+
+typedef struct listing {
+    loop_search *search;
+    unsigned from; /* number of the function's first verdict */
+    const ir_node *loop;
+    bool is_shared; /* a call updates an element that iterations of the loop share */
+} listing;
+
+/* Does it write a single element, and not in a local variable? In functions with loops, the caller
+ * must be able to name the element. */
+static bool is_update(const listing *l, const access *a) {
+    if (a->kind == ACCESS_READ || !a->lvalue || a->loop_count ||
+        (!a->is_exact && ir_any(a->callee->body, ir_is_loop)))
+        return false;
+    const ir_variable *object = location_of(l->search->an->facts, a->lvalue, l->loop).object;
+    return !object || !variable_is_automatic(object);
+}
+
+/* The order in which arguments are evaluated does not matter if they only read. */
+static bool only_reads(const listing *l, const ir_node *argument) {
+    access_list list = {0};
+    access_collect(l->search->an->effects, argument, &list);
+    bool is_fine = list.problems.count == 0 && list.ends.count == 0;
+    for (unsigned i = 0; i < list.items.count; i++)
+        is_fine &= list.items.items[i].kind == ACCESS_READ;
+    return is_fine;
+}
+
+static bool updates(listing *l, const ir_node *call) {
+    const analyser *an = l->search->an;
+    access_list list = {0};
+    bool is_found = false;
+    if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
+        return false;
+    access_collect_known(an->effects, call, &list);
+    for (unsigned i = 0; i < list.items.count; i++)
+        if (is_update(l, &list.items.items[i])) {
+            is_found = true;
+            l->is_shared |= conflict_at(an->facts, l->loop, list.items.items[i].lvalue, call) ==
+                            CONFLICT_SHARED;
+        }
+    for (unsigned i = 1; i < call->child_count && is_found; i++)
+        is_found = only_reads(l, call->children[i]);
+    return is_found;
+}
+
+static bool is_written(const listing *l, const ir_node *node) {
+    const loop_search *s = l->search;
+    for (unsigned i = l->from; i < s->verdicts.count; i++)
+        if (verdict_is_written(&s->verdicts.items[i]) && s->verdicts.items[i].loop == node)
+            return true;
+    return false;
+}
+
+static void list_below(listing *l, const ir_node *node) {
+    const ir_node *statement = expression_place(node);
+    if (is_written(l, node))
+        return;
+    if (node->kind == IR_CALL && updates(l, node) && statement)
+        VECTOR_PUSH(l->search->an->memory, l->search->calls,
+                    ((updating_call){l->search->function, (ir_node *)statement}));
+    for (unsigned i = 0; i < node->child_count; i++)
+        list_below(l, node->children[i]);
+}
+
+static void search_loops(listing *l, const ir_node *node) {
+    const unsigned before = l->search->calls->count;
+    if (is_written(l, node))
+        return;
+    if (ir_is_loop(node)) {
+        l->loop = node;
+        list_below(l, node);
+        if (l->is_shared) {
+            l->is_shared = false;
+            return;
+        }
+        l->search->calls->count = before;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        search_loops(l, node->children[i]);
+}
+
+void list_updating_calls(loop_search *s, unsigned from) {
+    listing l = {.search = s, .from = from};
+    search_loops(&l, s->function->body);
+}
