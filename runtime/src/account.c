@@ -214,18 +214,34 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
+/* An iteration has left a fence: it and all later ones were executed in order. */
+static void note_stray(struct execution *execution, redcc_int rest) {
+    const redcc_loop *loop = execution->call.request.loop;
+    redcc_fences_fail(&execution->run.fences);
+    redcc_trace(TRACE_CHOICE, loop, "the last %lld iterations in order: %s", rest,
+                redcc_reason_text(REASON_STRAYED));
+    atomic_fetch_add_explicit(&execution->state->reported.statistics.fallback[REASON_STRAYED], 1,
+                              memory_order_relaxed);
+}
+
 /* If threads find their iterations during execution, the number of executed iterations is known
  * only afterwards. */
-static void count_selected(const struct execution *execution) {
+static void count_selected(struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)
         return;
-    plan->executed = plan->length = 0;
+    const struct runner *runner = &execution->state->thread[0]->runner;
+    const redcc_int rest = plan->trip - runner->selection.end;
+    if (rest > 0)
+        note_stray(execution, rest);
+    plan->executed = rest;
+    plan->length = 0;
     for (int t = 0; t < execution->call.threads; t++) {
         const redcc_int executed = execution->state->thread[t]->runner.selection.executed;
         plan->executed += executed;
         plan->length = executed > plan->length ? executed : plan->length;
     }
+    plan->length += rest;
 }
 
 static void account_execution(struct execution *execution, double now) {

@@ -46,6 +46,8 @@ typedef struct execution_plan {
                           * its end */
     bool may_begin;      /* the first iterations may be executed in order before the inspection, and
                           * the remaining ones as a separate loop */
+    bool may_end_in_order; /* the last iterations may be executed in order after the first ones were
+                            * executed by owners */
     bool is_over_blocks; /* its inspection is short, even if its iterations are long */
     int64_t work;        /* operations of an iteration (work.h) */
     const array_section *sections; /* by array (sections.h); NULL: the loop has none */

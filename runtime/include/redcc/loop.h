@@ -365,19 +365,22 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         }                                                                                          \
     }
 
-/** Classifies iterations: does the thread own a row that they touch? The classes go to a local
- *  array, so that the compiler sees that storing them does not change the slice's reads. */
+/** Classifies iterations, up to the first that leaves a fence: does the thread own a row that they
+ * touch? The classes go to a local array, so that the compiler sees that storing them does not
+ * change the slice's reads. */
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__source_mask = 0;                                                    \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
         for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
-            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                              \
+            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0, 0};                           \
             redcc_probe *const redcc__probe = &redcc__seen;                                        \
             redcc_call_of_slice;                                                                   \
+            if (__builtin_expect(redcc__seen.strays, 0))                                           \
+                break;                                                                             \
             redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \
         }                                                                                          \
-        redcc_store_classes(redcc__worker, redcc__class);                                          \
+        redcc_store_classes(redcc__worker, redcc__class, redcc__k);                                \
     }
 
 /** Precedes a block that executes the next chunk. As often as the runtime requests, iterations are

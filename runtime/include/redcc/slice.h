@@ -48,13 +48,14 @@ enum { redcc__by_calls = 0 };
                          sizeof((redcc_base)[redcc_row]))
 
 /** In a loop that needs a dry run: returns if the preceding update (OVER) or read (STALE) has ended
- * the dry run. */
+ * the dry run, or has left a fence. */
 #define REDCC_RETURN_IF_OVER                                                                       \
-    if (redcc__worker && !redcc__probe && !redcc__source_mask && !redcc__worker->last)             \
+    if (redcc__worker && !redcc__source_mask &&                                                    \
+        (redcc__probe ? redcc__probe->strays : !redcc__worker->last))                              \
         return;
 #define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
-    if (redcc__worker && !redcc__probe && !redcc__source_mask &&                                   \
-        redcc_is_over(redcc__worker, redcc_source))                                                \
+    if (redcc__worker && !redcc__source_mask &&                                                    \
+        (redcc__probe ? redcc__probe->strays : redcc_is_over(redcc__worker, redcc_source)))        \
         return;
 
 /** The iteration leaves the loop. */
@@ -111,7 +112,7 @@ REDCC_INLINE void redcc_hull_add(redcc_hull *hull, redcc_probe *probe, const red
 }
 REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
                                          const redcc_hull *hull) {
-    const redcc_owner *window = &worker->window[array];
+    const redcc_owner *window = &worker->window[array], *fence = &worker->owner[array];
     const redcc_size bytes = (redcc_size)(hull->end - hull->first);
     if (!probe) {
         redcc_touch_span(worker, array, hull->first, hull->end);
@@ -120,6 +121,8 @@ REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worke
     probe->inside |=
         !probe->selects || redcc_intersects(window->first, window->size, hull->first, bytes);
     probe->outside |= redcc_leaves(window->first, window->size, hull->first, bytes);
+    if (probe->selects)
+        probe->strays |= redcc_leaves(fence->first, fence->size, hull->first, bytes);
 }
 
 /* Handles a touch outside of the owned range, or of an owner with a map. The common case is
@@ -233,7 +236,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                  \
+                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0, 0};                               \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \

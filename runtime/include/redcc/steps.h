@@ -156,7 +156,7 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 /** The probe of an iteration, which finds out whether it needs a record. inside: it touches an
  * element of the owned range. outside: it touches or reads something outside of the known ranges.
  * All fields are initially 0, except `selects` for REDCC_SELECT. Then `outside` means that the
- * iteration touches an element outside of the owned range, and reads do not matter. */
+ * iteration touches an element outside of the owned range. */
 typedef struct redcc_probe {
     int inside;
     int outside;
@@ -164,6 +164,7 @@ typedef struct redcc_probe {
     int preferred; /* the row that is touched next is preferred as the leading row */
     int rank;      /* of the leading row so far: 0: none, 1: a row, 2: a preferred one */
     int leads;
+    int strays; /* REDCC_SELECT: the iteration leaves a fence */
 } redcc_probe;
 
 /** The leader is the owner of the first byte of the first preferred row or, if none is preferred,
@@ -230,15 +231,17 @@ static __inline__ int redcc_intersects(const char *first, redcc_size size, const
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array];
-    if (bytes > 0)
-        redcc_probe_first(probe, window, address);
-    if (window->map && bytes > 0) {
+    const redcc_owner *window = &worker->window[array], *fence = &worker->owner[array];
+    if (bytes == 0)
+        return;
+    redcc_probe_first(probe, window, address);
+    probe->strays |= redcc_leaves(fence->first, fence->size, address, bytes);
+    if (window->map) {
         redcc_probe_mapped(probe, window, address, bytes);
         return;
     }
-    probe->inside |= bytes > 0 && redcc_intersects(window->first, window->size, address, bytes);
-    probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
+    probe->inside |= redcc_intersects(window->first, window->size, address, bytes);
+    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 
 REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
@@ -267,17 +270,21 @@ REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *
 
 static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
                                         redcc_u32 source, const void *address, redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source]; /* empty when a kept plan is used */
-    if (!probe->selects)
-        probe->outside |= redcc_leaves(
-            known->first, (redcc_size)known->end - (redcc_size)known->first, address, bytes);
+    const redcc_extent *known = &worker->sources[source];
+    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
+    if (probe->selects)
+        probe->strays |= bytes > 0 && redcc_leaves(known->first, size, address, bytes);
+    else
+        probe->outside |= redcc_leaves(known->first, size, address, bytes);
 }
 
 static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_worker *worker,
                                             redcc_u32 source, const void *base, redcc_int row,
                                             redcc_size bytes) {
     const redcc_extent *known = &worker->sources[source];
-    if (!probe->selects)
+    if (probe->selects)
+        redcc_probe_read(probe, worker, source, (const char *)base + row * (redcc_int)bytes, bytes);
+    else
         probe->outside |= redcc_row_leaves(
             known->first, (redcc_size)known->end - (redcc_size)known->first, base, row, bytes);
 }
@@ -294,10 +301,12 @@ static __inline__ unsigned char redcc_class_of(const redcc_probe *probe) {
                            (probe->leads ? REDCC_CLASS_LEADS : 0));
 }
 
-/** REDCC_SELECT: stores the classes of the requested iterations. */
-static __inline__ void redcc_store_classes(const redcc_worker *worker,
-                                           const unsigned char *classes) {
-    __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(worker->last - worker->first));
+/** REDCC_SELECT: stores the classes of the iterations before `end`: all, or those before the first
+ *  one that leaves a fence. */
+static __inline__ void redcc_store_classes(redcc_worker *worker, const unsigned char *classes,
+                                           redcc_int end) {
+    worker->last = end;
+    __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(end - worker->first));
 }
 
 /** May this thread write any of the bytes at `address`? Does not call the hook: with one the answer

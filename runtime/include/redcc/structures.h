@@ -195,13 +195,19 @@ enum {
     REDCC_BEGINS = 67108864,
     /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
      *  iterations are. */
-    REDCC_BLOCKS = 134217728
+    REDCC_BLOCKS = 134217728,
+    /** Its executor may execute the first iterations by owners and the others in order: no value is
+     * read before the loop, or kept until its end, that an update might change. So whether an
+     * iteration stays within its fences (REDCC_SELECT) need not be known before the loop. */
+    REDCC_FENCED = 268435456
 };
 
 enum {
     /** A result of redcc_next: the class of each iteration first, first + 1, ... < last must be
      * written to the bytes at `entry` (at most REDCC_SELECTED of them) before the next call.
-     * `window` is the range that the thread owns. */
+     * `window` is the range that the thread owns, `owner` the fence of each array's updates,
+     * `sources` that of each source's reads. At the first iteration that leaves a fence, `last` is
+     * set to it, and no later iteration is classified. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
     /** A result of redcc_next: the thread must execute `variant.tile`, of at most REDCC_TILE_ROWS
@@ -333,7 +339,8 @@ typedef struct redcc_worker {
     const redcc_iterations *run_end;
     void *const *base;        /* for each array: the base to write to (perhaps of a copy) */
     const redcc_owner *owner; /* for each array; in a dry run, for each source: ranges found
-                               * disjoint from all updates */
+                               * disjoint from all updates; after REDCC_SELECT, for each array: its
+                               * fence */
     void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_variant variant; /* set by redcc_next */

@@ -9,7 +9,7 @@ _Static_assert(REDCC_SELECTED == WORD * REDCC_SELECTED_WORDS, "a bit for each it
 
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
     assert(trip >= 0);
-    selection->trip = trip;
+    selection->trip = selection->end = trip;
     selection->idle_begin = selection->idle_end = 0;
     selection->executed = 0;
     selection->taken = 0;
@@ -24,13 +24,18 @@ void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redc
     selection->idle_end = end;
 }
 
+/* The end of the block of iterations that begins with worker->first. */
+static redcc_int end_of_block(const struct selection *selection, const redcc_worker *worker) {
+    const redcc_int left = selection->end - worker->first;
+    return worker->first + (left < REDCC_SELECTED ? left : REDCC_SELECTED);
+}
+
 bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
-    const redcc_int left = selection->trip - worker->last;
-    assert(!selection->asked && left >= 0);
-    if (left == 0)
+    assert(!selection->asked && worker->last <= selection->end);
+    if (worker->last == selection->end)
         return false;
     worker->first = worker->last;
-    worker->last += left < REDCC_SELECTED ? left : REDCC_SELECTED;
+    worker->last = end_of_block(selection, worker);
     worker->stride = 1;
     worker->entry = (redcc_entry *)(void *)selection->class;
     selection->asked = true;
@@ -97,9 +102,11 @@ size_t redcc_selection_take(struct selection *selection, const redcc_worker *wor
     const redcc_int count = worker->last - worker->first;
     size_t runs = 0;
     bool is_open = false;
-    assert(0 < count && count <= REDCC_SELECTED);
+    assert(0 <= count && count <= REDCC_SELECTED);
     if (selection->asked) {
         selection->taken = 0;
+        if (worker->last < end_of_block(selection, worker)) /* an iteration leaves a fence */
+            selection->end = worker->last;
         set_bits(selection, worker);
     }
     selection->asked = false;

@@ -3,7 +3,8 @@
  * Execution by owners without an inspection that assigns iterations to threads: each thread scans
  * all iterations, block by block. The iterations of a block are first classified by whether they
  * touch an element that the thread owns (REDCC_SELECT); the matching ones form the runs that it
- * executes.
+ * executes. The first iteration that leaves a fence (ownership/fences.h) ends all threads'
+ * selections.
  */
 #ifndef REDCC_EXECUTE_SELECT_H
 #define REDCC_EXECUTE_SELECT_H
@@ -30,6 +31,8 @@ struct selection {
     redcc_int idle_begin; /* iterations in [idle_begin, idle_end) that touch nothing */
     redcc_int idle_end;   /* are executed by this thread */
     redcc_int executed;   /* number of iterations so far */
+    redcc_int end;   /* before which all iterations stayed within the fences, as far as they are
+                      * classified; up to `trip` */
     bool asked;      /* the classes of iterations from worker->first on were requested and are not
                         evaluated yet */
     redcc_int taken; /* number of classified iterations already handed out or skipped */

@@ -44,6 +44,8 @@ void end_hulls(inspector *self) {
     for (unsigned i = 0; i < self->loop->facts->array_count; i++)
         if (updates_array(self, i))
             writer_line(out, "REDCC_TOUCH_HULL(%u)", i);
+    if (self->loop->plan->precheck != PRECHECK_NONE)
+        writer_line(out, "REDCC_RETURN_IF_OVER");
     out->depth--;
     writer_line(out, "}");
     self->hulls = NULL;
