@@ -76,16 +76,20 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/** The addresses from the lowest to the highest that loops over rows touch. Empty: both 0. */
+/** The addresses from the lowest to the highest that loops over rows touch. */
 typedef struct redcc_hull {
-    const char *first, *end;
+    redcc_size first, end;
 } redcc_hull;
+#define REDCC_EMPTY_HULL                                                                           \
+    { ~(redcc_size)0, 0 }
 
 /** Is all that an iteration touches compared with one range, or logged in a dry run, whose guard
  *  compares ranges? Then the hull suffices. */
 #define REDCC_BY_HULL(redcc_i)                                                                     \
-    (redcc__worker && !redcc__source_mask && !redcc__worker->window[redcc_i].map &&                \
-     (redcc__probe || redcc__worker->alike < 0))
+    (redcc__worker && !redcc__source_mask &&                                                       \
+     (redcc__probe && redcc__probe->selects                                                        \
+          ? redcc__probe->by_hull                                                                  \
+          : !redcc__worker->window[redcc_i].map && (redcc__probe || redcc__worker->alike < 0)))
 /** The step of a loop whose first and last rows have the extreme addresses. */
 #define REDCC_NEXT_ROW(redcc_counter, redcc_last)                                                  \
     redcc_counter = redcc__by_hull && redcc_counter != (__typeof__(redcc_counter))(redcc_last)     \
@@ -100,29 +104,38 @@ typedef struct redcc_hull {
         redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 /** Behind the outermost of such loops. */
 #define REDCC_TOUCH_HULL(redcc_i)                                                                  \
-    if (redcc__hull_##redcc_i.end)                                                                 \
+    if (redcc__by_hull)                                                                            \
         redcc_slice_touch_hull(redcc__probe, redcc__worker, redcc_i, &redcc__hull_##redcc_i);
 
 REDCC_INLINE void redcc_hull_add(redcc_hull *hull, redcc_probe *probe, const redcc_owner *window,
                                  const char *first, const char *end) {
     if (probe)
         redcc_probe_first(probe, window, first);
-    hull->first = hull->end && hull->first < first ? hull->first : first;
-    hull->end = hull->end > end ? hull->end : end;
+    hull->first = hull->first < (redcc_size)first ? hull->first : (redcc_size)first;
+    hull->end = hull->end > (redcc_size)end ? hull->end : (redcc_size)end;
 }
+/* Does a part of the hull lie outside of the range? Not if the hull is empty. */
+REDCC_INLINE int redcc_hull_leaves(const redcc_hull *hull, const redcc_owner *range) {
+    return (hull->first < (redcc_size)range->first) |
+           (hull->end > (redcc_size)range->first + range->size);
+}
+/* Compares without branches, so that compilers load the ranges once for all iterations. */
 REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
                                          const redcc_hull *hull) {
-    const redcc_owner *window = &worker->window[array], *fence = &worker->owner[array];
-    const redcc_size bytes = (redcc_size)(hull->end - hull->first);
+    const redcc_owner *window = &worker->window[array];
     if (!probe) {
-        redcc_touch_span(worker, array, hull->first, hull->end);
+        if (hull->end)
+            redcc_touch_span(worker, array, (const char *)hull->first, (const char *)hull->end);
         return;
     }
-    probe->inside |=
-        !probe->selects || redcc_intersects(window->first, window->size, hull->first, bytes);
-    probe->outside |= redcc_leaves(window->first, window->size, hull->first, bytes);
-    if (probe->selects)
-        probe->strays |= redcc_leaves(fence->first, fence->size, hull->first, bytes);
+    probe->outside |= redcc_hull_leaves(hull, window);
+    if (!probe->selects) {
+        probe->inside |= hull->end != 0;
+        return;
+    }
+    probe->inside |= (window->size > 0) & ((redcc_size)window->first < hull->end) &
+                     (hull->first < (redcc_size)window->first + window->size);
+    probe->strays |= redcc_hull_leaves(hull, &worker->owner[array]);
 }
 
 /* Handles a touch outside of the owned range, or of an owner with a map. The common case is
@@ -236,7 +249,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0, 0};                               \
+                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0, 0, 0};                            \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \

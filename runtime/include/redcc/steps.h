@@ -155,8 +155,8 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 
 /** The probe of an iteration, which finds out whether it needs a record. inside: it touches an
  * element of the owned range. outside: it touches or reads something outside of the known ranges.
- * All fields are initially 0, except `selects` for REDCC_SELECT. Then `outside` means that the
- * iteration touches an element outside of the owned range. */
+ * All fields are initially 0, except `selects` and `by_hull` for REDCC_SELECT. Then `outside` means
+ * that the iteration touches an element outside of the owned range. */
 typedef struct redcc_probe {
     int inside;
     int outside;
@@ -164,7 +164,8 @@ typedef struct redcc_probe {
     int preferred; /* the row that is touched next is preferred as the leading row */
     int rank;      /* of the leading row so far: 0: none, 1: a row, 2: a preferred one */
     int leads;
-    int strays; /* REDCC_SELECT: the iteration leaves a fence */
+    int strays;  /* REDCC_SELECT: the iteration leaves a fence */
+    int by_hull; /* REDCC_SELECT: no owner has a map, so hulls suffice (slice.h); a constant */
 } redcc_probe;
 
 /** The leader is the owner of the first byte of the first preferred row or, if none is preferred,

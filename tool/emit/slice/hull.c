@@ -36,7 +36,7 @@ void begin_hulls(inspector *self, const ir_node *loop) {
     writer_line(out, "const int redcc__by_hull = %s;", all);
     for (unsigned i = 0; i < self->loop->facts->array_count; i++)
         if (updates_array(self, i))
-            writer_line(out, "redcc_hull redcc__hull_%u = {0, 0};", i);
+            writer_line(out, "redcc_hull redcc__hull_%u = REDCC_EMPTY_HULL;", i);
 }
 
 void end_hulls(inspector *self) {
