@@ -175,8 +175,9 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
+    /* auto keeps no plans that select, but fences */
     const bool built =
-        execution->inspected && !plan->method->selects; /* auto keeps no plans that select */
+        execution->inspected && (!plan->method->selects || execution->run.fences.are_new);
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),

@@ -290,7 +290,7 @@ static enum stage choose_method(struct execution *execution) {
     if (reason != REASON_NONE)
         return refuse(execution, reason);
     const struct request *request = &execution->call.request;
-    if (method->selects)
+    if (method->selects && request->loop->flags & REDCC_FENCED)
         redcc_fences_learn(&execution->run.fences, request->loop, request->bases, request->known,
                            inspection->touched, inspection->sources);
     return begin_plan(execution, method);

@@ -51,17 +51,20 @@ enum { redcc__by_calls = 0 };
  * the dry run, or has left a fence. */
 #define REDCC_RETURN_IF_OVER                                                                       \
     if (redcc__worker && !redcc__source_mask &&                                                    \
-        (redcc__probe ? redcc__probe->strays : !redcc__worker->last))                              \
+        (redcc__probe ? redcc_probe_is_over(redcc__probe) : !redcc__worker->last))                 \
         return;
 #define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
     if (redcc__worker && !redcc__source_mask &&                                                    \
-        (redcc__probe ? redcc__probe->strays : redcc_is_over(redcc__worker, redcc_source)))        \
+        (redcc__probe ? redcc_probe_is_over(redcc__probe)                                          \
+                      : redcc_is_over(redcc__worker, redcc_source)))                               \
         return;
 
 /** The iteration leaves the loop. */
 #define REDCC_LEAVE                                                                                \
     {                                                                                              \
-        if (redcc__worker && !redcc__probe && !redcc__source_mask)                                 \
+        if (redcc__worker && !redcc__source_mask && redcc__probe)                                  \
+            redcc__probe->outside = redcc__probe->strays = 1;                                      \
+        else if (redcc__worker && !redcc__source_mask)                                             \
             redcc_iteration_leaves(redcc__worker);                                                 \
         return;                                                                                    \
     }
@@ -248,8 +251,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
              redcc__k += redcc__worker->stride) {                                                  \
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
+                const int redcc__dry = redcc__worker->alike < 0; /* may touch nothing */           \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0, 0, 0};                            \
+                    redcc_probe redcc__seen = {redcc__dry, 0, 0, 0, 0, 0, 0, 0};                   \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \

@@ -195,7 +195,7 @@ REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *wind
  * worker->alike; the first other one is recorded. False if no owned range is set or the stride is
  * not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
-    return worker->alike >= REDCC_SETTLED;
+    return worker->alike >= REDCC_SETTLED || worker->alike <= REDCC_DRY_PROBED;
 }
 
 /* In the functions below, compilers keep all values except `address` and `row` in registers over a
@@ -288,6 +288,11 @@ static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_work
     else
         probe->outside |= redcc_row_leaves(
             known->first, (redcc_size)known->end - (redcc_size)known->first, base, row, bytes);
+}
+
+/** Has the probed iteration touched or read something outside, so that its slice need not go on? */
+static __inline__ int redcc_probe_is_over(const redcc_probe *probe) {
+    return probe->strays || (probe->outside && !probe->selects);
 }
 
 /** Does the probed iteration need no record? */

@@ -297,6 +297,9 @@ typedef struct redcc_entry {
 /** After this many consecutive iterations within the owned range the next ones are probed
  *  (redcc_is_settled). If owners alternate, hardly any iteration is inspected twice. */
 #define REDCC_SETTLED 8
+/** worker->alike in a dry run is negative: at most this if the next iterations are probed, because
+ *  all ranges that they must not touch are known; otherwise greater. */
+#define REDCC_DRY_PROBED (-((redcc_int)1 << 61))
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 

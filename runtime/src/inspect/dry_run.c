@@ -19,9 +19,6 @@
 
 #include <assert.h>
 
-/* no iteration is settled: all are recorded, none is probed */
-static const redcc_int never_settled = -((redcc_int)1 << 62);
-
 /* Begins a run from the first iteration, with nothing touched or read. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
     struct dry_run *run = &inspector->dry_run;
@@ -53,13 +50,19 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     return !inspector->failed;
 }
 
+/* Are all relevant read ranges known beforehand? */
+static bool is_all_known(const struct inspection *inspection) {
+    return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
+}
+
 /* Leaves room for one touch and an iteration's end, so that the next touch outside of the windows
  * is processed immediately. */
-static void expect_one(const struct inspector *inspector, redcc_worker *worker) {
+static void expect_one(const struct inspection *inspection, const struct inspector *inspector,
+                       redcc_worker *worker) {
     worker->entry = inspector->entries;
     worker->entry_end = inspector->entries + 1;
     worker->inside = worker->outside = 0;
-    worker->alike = never_settled;
+    worker->alike = is_all_known(inspection) ? 2 * REDCC_DRY_PROBED : REDCC_DRY_PROBED / 2;
 }
 
 bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
@@ -82,13 +85,8 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     run->block = redcc_next_before_deadline(run->block);
     redcc_hand_out(inspector, worker, first, inspector->next, 1, run->window);
     worker->owner = run->clear;
-    expect_one(inspector, worker);
+    expect_one(inspection, inspector, worker);
     return true;
-}
-
-/* Are all relevant read ranges known beforehand? */
-static bool is_all_known(const struct inspection *inspection) {
-    return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
 }
 
 /* The range that is read of a source: the known one, or the recorded one if it is relevant. */
@@ -217,7 +215,7 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
     for (const redcc_entry *entry = inspector->entries; entry < worker->entry; entry++)
         if (worker->last > 0 && entry->array != REDCC_END_OF_ITERATION)
             take_touch(inspection, inspector, worker, entry);
-    expect_one(inspector, worker);
+    expect_one(inspection, inspector, worker);
 }
 
 double redcc_dry_run_done(const struct inspection *inspection) {

@@ -35,6 +35,7 @@ void redcc_fences_learn(struct fences *fences, const redcc_loop *loop, void *con
         fences->of[a] = (struct fenced){bases[a], touched[a]};
     for (uint32_t s = 0; s < loop->source_count; s++)
         fences->of[loop->array_count + s] = (struct fenced){known[s].first, read[s]};
+    fences->are_new = !fences->are_known;
     fences->are_known = true;
     fences->inspections++;
 }
@@ -132,7 +133,7 @@ static redcc_extent extent_of(struct range range) {
 }
 
 void redcc_fences_open(struct fences *fences, const redcc_loop *loop) {
-    fences->stand = false;
+    fences->stand = fences->are_new = false;
     for (uint32_t a = 0; a < loop->array_count; a++)
         fences->updates[a] = owner_of((struct range){0, UINTPTR_MAX});
     for (uint32_t s = 0; s < loop->source_count; s++)

@@ -28,14 +28,15 @@ struct fenced {
 };
 
 struct fences {
-    struct fenced *of;       /* [array_count + source_count] the arrays, then the sources */
-    struct range *allowed;   /* [array_count] the fences of this execution */
-    redcc_owner *updates;    /* [array_count] the same for generated code */
-    redcc_extent *reads;     /* [source_count] */
-    bool are_known;          /* an inspection has set `of` */
-    bool stand;              /* this execution has fences */
-    int inspections, wanted; /* inspections since an iteration left a fence, and the number after
-                              * which there are fences again */
+    struct fenced *of;     /* [array_count + source_count] the arrays, then the sources */
+    struct range *allowed; /* [array_count] the fences of this execution */
+    redcc_owner *updates;  /* [array_count] the same for generated code */
+    redcc_extent *reads;   /* [source_count] */
+    bool are_known;        /* an inspection has set `of` */
+    bool are_new;          /* it did so in this execution, and they were not known before */
+    bool stand;            /* this execution has fences */
+    int inspections;       /* since an iteration left a fence */
+    int wanted;            /* the number after which there are fences again */
 };
 
 /** Allocates memory. False: there is none. Call redcc_fences_free in either case. */
