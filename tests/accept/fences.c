@@ -68,7 +68,18 @@ static void windows_and_more(int n, int *g, const int *m, const int *s) {
         for (int i = s[t]; i < s[t] + 3; i++)
             for (int j = 0; j < 3; j++)
                 g[i * 4 + j] += FAR;
-        g[m[s[t]]] += 1;
+        g[m[m[s[t]]]] += 1;
+    }
+}
+
+/* The same by a table that no pointer leads to: only what is read of s is compared. */
+static const int table[8] = {3, 0, 2, 7, 5, 1, 4, 6};
+static void windows_and_a_table(int n, int *g, const int *s, int left) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        for (int i = 50 * t; i < 50 * t + 3; i++)
+            for (int j = left; j < left + 3; j++)
+                g[i * 4 + j] += FAR;
+        g[table[s[t]]] += 1;
     }
 }
 
@@ -128,6 +139,15 @@ static void each(int stray) {
         map[k[stray]] = 3 - FAR;
     }
     windows_and_more(N, all, map, k);
+    CASE_PRINT(all);
+    fill();
+    for (int t = 0; t < N; t++)
+        k[t] = t % 8;
+    if (stray < N) /* the first window updates these, which are invalid before */
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                k[i * 4 + j] -= FAR;
+    windows_and_a_table(20, stray < N ? k : map, k, 0);
     CASE_PRINT(all);
 }
 
