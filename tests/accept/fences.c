@@ -83,6 +83,15 @@ static void windows_and_a_table(int n, int *g, const int *s, int left) {
     }
 }
 
+/* The first update of an inner iteration makes the subscript of the second one valid. */
+static void by_the_first(int n, int *g, const int *s, int left) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int j = left; j < left + 3; j++) {
+            g[200 * t + j] += FAR;
+            g[200 * t + 20 + table[s[t]] + j] += 1;
+        }
+}
+
 static void fill(void) {
     case_subscripts(at, N, M);
     case_subscripts(from, N, M);
@@ -148,6 +157,11 @@ static void each(int stray) {
             for (int j = 0; j < 3; j++)
                 k[i * 4 + j] -= FAR;
     windows_and_a_table(20, stray < N ? k : map, k, 0);
+    CASE_PRINT(all);
+    fill();
+    for (int t = 0; t < N; t++)
+        k[t] = t % 8 - (stray < N && t < 3 ? FAR : 0);
+    by_the_first(20, stray < N ? k : map, k, 0);
     CASE_PRINT(all);
 }
 

@@ -90,7 +90,8 @@ static bool before_statement(printer *p, const ir_node *statement) {
 /* ---- spans: loops logged at once ------------------------------------------------------------- */
 
 static bool is_at_once(const printer *p, const ir_node *loop) {
-    return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
+    const inspector *self = (const inspector *)p;
+    return span_of(self->loop->facts, loop) && !loads_between_updates(self->loop, loop);
 }
 
 /** Are the two places within the same loops over constants, of those whose counters occur in the
