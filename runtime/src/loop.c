@@ -61,9 +61,9 @@ static struct loop_state *state_new(redcc_loop *loop) {
     state->reported.line = loop->line;
     join_parts(state);
     if (!redcc_bins_new(&state->binning, loop) ||
-        !redcc_fences_new(&state->execution.run.fences, loop) || !request->bases || !request->known ||
-        !request->key || !inspection->touched || !inspection->sources || !state->reported.file ||
-        !state->reported.function) {
+        !redcc_fences_new(&state->execution.run.fences, loop) || !request->bases ||
+        !request->known || !request->key || !inspection->touched || !inspection->sources ||
+        !state->reported.file || !state->reported.function) {
         state_free(state);
         return NULL;
     }

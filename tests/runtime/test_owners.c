@@ -41,8 +41,7 @@ static void check_class(const redcc_owner *owner) {
     const redcc_worker worker = {.window = owner, .owner = &fence};
     for (redcc_size bytes = 1; bytes <= 3 * BYTES; bytes += 1 + bytes / 8)
         for (const char *at = memory; at + bytes <= memory + sizeof memory; at++) {
-            redcc_probe by_address = {0, 0, 2, 0, 0, 0, 0, 0},
-                        by_number = {0, 0, 2, 0, 0, 0, 0, 0};
+            redcc_probe by_address = {0, 0, 2, 0, 0, 0, 0, 0}, by_number = {0, 0, 2, 0, 0, 0, 0, 0};
             bool others = false;
             for (redcc_size i = 0; i < bytes; i++)
                 others = others || !redcc_owns(owner, at + i);

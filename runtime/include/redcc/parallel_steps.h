@@ -148,7 +148,8 @@ REDCC_INLINE int redcc_slice_finished(const redcc_slice *it) {
     return !it->sources && (it->probe ? redcc_probe_is_over(it->probe) : !it->worker->last);
 }
 REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
-    return !it->sources && (it->probe ? redcc_probe_is_over(it->probe) : redcc_is_over(it->worker, source));
+    return !it->sources &&
+           (it->probe ? redcc_probe_is_over(it->probe) : redcc_is_over(it->worker, source));
 }
 
 /* ---- bodies ---- */
