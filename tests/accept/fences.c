@@ -29,6 +29,11 @@ static void gathered(int n, double *b, const int *s, const double *w, const int 
         b[s[t]] += w[f[t]] * 1.25;
 }
 
+static void read_far(int n, double *b, const int *s, const double *w, const int *f) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        b[s[t]] -= w[f[t]] * 0.75;
+}
+
 static void two(int n, double *b, double *c, const int *s, const int *f) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         b[s[t]] += (double)t / 3;
@@ -74,9 +79,9 @@ static void windows_and_more(int n, int *g, const int *m, const int *s) {
 
 /* The same by a table that no pointer leads to: only what is read of s is compared. */
 static const int table[8] = {3, 0, 2, 7, 5, 1, 4, 6};
-static void windows_and_a_table(int n, int *g, const int *s, int left) {
+static void windows_and_a_table(int n, int *g, const int *s, int left, int top) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
-        for (int i = 50 * t; i < 50 * t + 3; i++)
+        for (int i = top + 50 * t; i < top + 50 * t + 3; i++)
             for (int j = left; j < left + 3; j++)
                 g[i * 4 + j] += FAR;
         g[table[s[t]]] += 1;
@@ -123,9 +128,9 @@ static void each(int stray) {
     CASE_PRINT(values);
     if (stray < N) {
         at[stray] = 3;
-        from[stray] = (int)(sum - x) + 3;
+        from[stray] = (int)(sum - x) + at[(stray + 1) % N];
     }
-    gathered(N, sum, at, x, from);
+    read_far(N, sum, at, x, from);
     if (stray < N)
         from[stray] = 3;
     two(N, sum, other, at, from);
@@ -156,7 +161,7 @@ static void each(int stray) {
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++)
                 k[i * 4 + j] -= FAR;
-    windows_and_a_table(20, stray < N ? k : map, k, 0);
+    windows_and_a_table(20, map, k, 0, stray < N ? -N / 4 : 0);
     CASE_PRINT(all);
     fill();
     for (int t = 0; t < N; t++)
