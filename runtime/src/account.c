@@ -175,9 +175,9 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
+    /* auto keeps no plans that select, but fences */
     const bool built =
-        execution->inspected && !plan->method->selects; /* `auto` keeps no plan of a method that
-                                                           selects iterations during execution */
+        execution->inspected && (!plan->method->selects || execution->run.fences.are_new);
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),
@@ -215,18 +215,34 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
-/* For methods whose threads find their iterations during execution: sets the numbers of executed
- * iterations, which are known only afterwards. */
-static void count_selected(const struct execution *execution) {
+/* An iteration has left a fence: it and all later ones were executed in order. */
+static void note_stray(struct execution *execution, redcc_int rest) {
+    const redcc_loop *loop = execution->call.request.loop;
+    redcc_fences_fail(&execution->run.fences);
+    redcc_trace(TRACE_CHOICE, loop, "the last %lld iterations in order: %s", rest,
+                redcc_reason_text(REASON_STRAYED));
+    atomic_fetch_add_explicit(&execution->state->reported.statistics.fallback[REASON_STRAYED], 1,
+                              memory_order_relaxed);
+}
+
+/* If threads find their iterations during execution, the number of executed iterations is known
+ * only afterwards. */
+static void count_selected(struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)
         return;
-    plan->executed = plan->length = 0;
+    const struct runner *runner = &execution->state->thread[0]->runner;
+    const redcc_int rest = plan->trip - runner->selection.end;
+    if (rest > 0)
+        note_stray(execution, rest);
+    plan->executed = rest;
+    plan->length = 0;
     for (int t = 0; t < execution->call.threads; t++) {
         const redcc_int executed = execution->state->thread[t]->runner.selection.executed;
         plan->executed += executed;
         plan->length = executed > plan->length ? executed : plan->length;
     }
+    plan->length += rest;
 }
 
 static void account_execution(struct execution *execution, double now) {

@@ -584,8 +584,7 @@ int redcc_end(redcc_call *call) {
     const redcc_int trip = execution->call.request.trip;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
-        const bool goes_without =
-            redcc_goes_directly(&execution->advice) && !(plan && plan->method->tiles);
+        const bool goes_without = redcc_keeps_owners(execution) && !(plan && plan->method->tiles);
         const bool is_reusable =
             !goes_without && redcc_is_reusable(&execution->call.request, execution->reuse.sources);
         if (done && plan && plan->method->selects && !is_reusable)

@@ -22,6 +22,7 @@ static void state_free(struct loop_state *state) {
     redcc_partition_end(&execution->inspection.partition);
     redcc_memory_free(execution->inspection.touched);
     redcc_memory_free(execution->inspection.sources);
+    redcc_fences_free(&execution->run.fences);
     redcc_memory_free(state->binning.stream);
     redcc_memory_free(state->reported.file);
     redcc_memory_free(state->reported.function);
@@ -60,9 +61,10 @@ static struct loop_state *state_new(redcc_loop *loop) {
     state->reported.function = redcc_memory_copy_text(loop->function);
     state->reported.line = loop->line;
     join_parts(state);
-    if (!redcc_bins_new(&state->binning, loop) || !request->bases || !request->known ||
-        !request->key || !inspection->touched || !inspection->sources || !state->reported.file ||
-        !state->reported.function) {
+    if (!redcc_bins_new(&state->binning, loop) ||
+        !redcc_fences_new(&state->execution.run.fences, loop) || !request->bases ||
+        !request->known || !request->key || !inspection->touched || !inspection->sources ||
+        !state->reported.file || !state->reported.function) {
         state_free(state);
         return NULL;
     }

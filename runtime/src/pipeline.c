@@ -25,18 +25,17 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
  * for tiles, because they do not depend on subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
-    const struct advice *advice = &execution->advice;
     reuse->found = NULL;
     if (execution->call.request.sections)
         execution->run.plan = redcc_sections_plan(&execution->state->sections, &execution->call);
     if (execution->call.request.sections)
         return;
     const bool is_kept =
-        !redcc_goes_directly(advice) || execution->call.request.loop->flags & REDCC_TILES;
+        !redcc_keeps_owners(execution) || execution->call.request.loop->flags & REDCC_TILES;
     if (!execution->call.in_bins && is_kept &&
-        (execution->call.method || advice->action == ACTION_REUSE))
+        (execution->call.method || execution->advice.action == ACTION_REUSE))
         redcc_reuse_find(reuse, execution->call.threads,
-                         execution->call.method ? WAY_SEQUENTIAL : advice->way);
+                         execution->call.method ? WAY_SEQUENTIAL : execution->advice.way);
 }
 
 static enum progress come_together(struct thread_state *thread, redcc_worker *worker) {
@@ -62,6 +61,19 @@ static enum progress verify(struct thread_state *thread, redcc_worker *worker) {
     if (thread->thread == 0)
         execution->run.plan = reuse->found->plan;
     return PROGRESS_PASS;
+}
+
+static enum stage begin_plan(struct execution *execution, const struct method *method);
+
+/* Can fences replace the inspection? The owners are kept, and nothing needs exact extents. */
+static bool has_fences(struct execution *execution) {
+    const struct call *call = &execution->call;
+    const struct request *request = &call->request;
+    return redcc_keeps_owners(execution) && request->loop->flags & REDCC_FENCED &&
+           execution->inspection.partition.share > 0 && !call->compensated &&
+           !execution->run.validated && !redcc_may_be_tiled(&execution->inspection) &&
+           !redcc_may_have_aliases() &&
+           redcc_fences_set(&execution->run.fences, request->loop, request->bases, request->known);
 }
 
 static enum stage begin_inspection(struct execution *execution) {
@@ -90,6 +102,10 @@ static enum stage begin_inspection(struct execution *execution) {
     if (!redcc_inspection_begin(&execution->inspection,
                                 named ? execution->call.method->selects : is_direct))
         return refuse(execution, REASON_NO_MEMORY);
+    if (has_fences(execution)) {
+        execution->inspection.route = ROUTE_DIRECT;
+        return begin_plan(execution, &redcc_method_localwrite_direct);
+    }
     return is_dry ? STAGE_DRY_RUN : STAGE_SAMPLE;
 }
 
@@ -245,13 +261,14 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
     const int parameter = call->method ? call->parameter : method->usual;
-    struct plan *plan =
-        redcc_plan_new(method, parameter, call->threads, call->request.trip, &inspection->partition,
-                       inspection->touched, call->compensated);
+    const struct fences *fences = &execution->run.fences;
+    const struct range *touched = fences->stand ? fences->allowed : inspection->touched;
+    struct plan *plan = redcc_plan_new(method, parameter, call->threads, call->request.trip,
+                                       &inspection->partition, touched, call->compensated);
     execution->run.plan = plan;
     summarise(inspection);
     if (plan && inspection->route == ROUTE_DIRECT)
-        redcc_plan_take_votes(plan, &inspection->partition, inspection->touched);
+        redcc_plan_take_votes(plan, &inspection->partition, touched);
     if (plan && inspection->route == ROUTE_GRAPH &&
         !redcc_plan_take_map(plan, &inspection->partition, &inspection->divide)) {
         redcc_plan_free(plan);
@@ -276,6 +293,10 @@ static enum stage choose_method(struct execution *execution) {
     const enum reason reason = objection(inspection, method);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
+    const struct request *request = &execution->call.request;
+    if (method->selects && request->loop->flags & REDCC_FENCED)
+        redcc_fences_learn(&execution->run.fences, request->loop, request->bases, request->known,
+                           inspection->touched, inspection->sources);
     return begin_plan(execution, method);
 }
 
@@ -375,7 +396,7 @@ static enum progress prepare(struct thread_state *thread, redcc_worker *worker) 
     inspector->failed =
         !plan->method->prepare(plan, &evidence, thread->thread) ||
         !redcc_copies_take(plan, thread->thread, inspector->seen, inspection->partition.base);
-    if (redcc_is_reusable(request, inspection->sources))
+    if (!thread->execution->run.fences.stand && redcc_is_reusable(request, inspection->sources))
         redcc_hash_rest(&thread->hasher, request, inspection->sources);
     return PROGRESS_MEET;
 }

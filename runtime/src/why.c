@@ -50,6 +50,8 @@ static const char *const remedies[REASON_COUNT] = {
                              "no other thread exists",
     [REASON_SPREAD] = "name a method with a plan, as localwrite",
     [REASON_TWO_ADDRESSES] = "map the memory once",
+    [REASON_STRAYED] = "name a method that inspects each execution, such as localwrite, if this is "
+                       "frequent",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
 /* The number of calls that were sequential for this reason. For overlaps it includes the counts of

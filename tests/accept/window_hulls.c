@@ -12,6 +12,8 @@ static double plane[SIDE][SIDE], box[DEEP * DEEP * DEEP], rows[SIDE * SIDE];
 static int row_of[SIDE], width_of[SIDE], first_of[N], stripe_of[N], wide;
 static double total[1];
 static float striped[7 * STRIPES * 32 * 256];
+static double far_rows[4 * (5 * N)], turns[2 * N + 4];
+static int one_of[N], another_of[N];
 typedef struct cell {
     float sum[2];
     int count;
@@ -97,6 +99,32 @@ static void in_stripes(int n, const int *rows_at, float *g) {
             for (int j = left - 2; j <= left + 2; j++)
                 g[i * 256 + j] += value[t] * (float)(i - j);
     }
+}
+
+/* Each iteration updates a window and one far behind all windows: such rows are owned by whom they are nearest to. */
+static void with_halo(int n, double *g) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int left = t % 2, near = 3 * t / 2, far = 4 * N + t / 4;
+        for (int i = near; i < near + 2; i++) // HULL
+            for (int j = left; j < left + 3; j++)
+                g[i * 4 + j] += (double)value[t] * (i - near + 1);
+        for (int i = far; i < far + 2; i++) // HULL
+            for (int j = left; j < left + 3; j++)
+                g[i * 4 + j] -= (double)value[t] * (i - far + 2);
+    }
+}
+
+/* The owners of the first rows lead in turn: one of two threads keeps an iteration's operands, the other the next one's. */
+static double in_turn(int n, const int *one, const int *another, double *g) {
+    double sum = 0;
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int j = 0; j < first_of[t] % 4; j++) {
+            const double v = (double)value[t] / (1 + j);
+            g[one[t] + j] += v;
+            g[another[t] + j] -= v;
+            sum += v;
+        }
+    return sum;
 }
 
 /* A sum in the order of the loop, also in iterations that update no element. */
@@ -191,6 +219,8 @@ int main(void) {
         z[t] = 3 + (float)case_below((SIDE - 8) * 8) / 8;
         value[t] = (float)case_value();
         first_of[t] = case_below(SIDE);
+        one_of[t] = t % 2 ? t / 2 : N + t / 2;
+        another_of[t] = t % 2 ? N + t / 2 : t / 2;
         stripe_of[t] = (t * 7 / N + 7 * case_below(STRIPES)) * 32 + 2 + case_below(28);
     }
     for (int i = 0; i < SIDE; i++) {
@@ -211,6 +241,8 @@ int main(void) {
         squares_in_a_variable(N);
         with_sum(N, grid);
         in_stripes(N, stripe_of, striped);
+        with_halo(N, far_rows);
+        printf("%a\n", in_turn(N, one_of, another_of, turns));
         remainders(N);
         some_rows(N);
         narrow_counter(N);
@@ -223,4 +255,6 @@ int main(void) {
     CASE_PRINT(cells);
     CASE_PRINT(striped);
     CASE_PRINT(total);
+    CASE_PRINT(far_rows);
+    CASE_PRINT(turns);
 }

@@ -93,7 +93,7 @@ static void inspect_blocks(redcc_worker *worker, const struct problem *problem) 
             if (redcc_is_settled(worker)) {
                 const redcc_int from = t;
                 for (; t < worker->last; t++) {
-                    redcc_probe probe = {0, 0, 0, 0, 0, 0};
+                    redcc_probe probe = {0, 0, 0, 0, 0, 0, 0, 0};
                     INSPECT(t, PROBE_READ, PROBE_TOUCH);
                     if (!redcc_is_alike(&probe))
                         break;
@@ -114,12 +114,15 @@ static void classify(redcc_worker *worker, const struct problem *problem) {
     const int width = problem->width, second_width = problem->second_width;
     unsigned char class[REDCC_SELECTED];
     int k;
-    for (redcc_int t = worker->first; t < worker->last; t++) {
-        redcc_probe probe = {0, 0, 1, 0, 0, 0};
+    redcc_int t = worker->first;
+    for (; t < worker->last; t++) {
+        redcc_probe probe = {0, 0, 1, 0, 0, 0, 0, 0};
         INSPECT(t, PROBE_READ, PROBE_TOUCH);
+        if (probe.strays)
+            break;
         class[t - worker->first] = redcc_class_of(&probe);
     }
-    redcc_store_classes(worker, class);
+    redcc_store_classes(worker, class, t);
 }
 
 /* Executes a chunk, run by run. In the loop's last iteration t, sets *last to 3 t + 1. */

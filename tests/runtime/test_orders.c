@@ -268,14 +268,14 @@ enum { TRIP = 6000, BINS = 40 };
 static int row[TRIP];
 
 /* Each iteration touches one row of `bytes` bytes. */
-static void classify(const redcc_worker *worker, const void *array, size_t bytes) {
+static void classify(redcc_worker *worker, const void *array, size_t bytes) {
     unsigned char class[REDCC_SELECTED];
     for (redcc_int t = worker->first; t < worker->last; t++) {
-        redcc_probe probe = {0, 0, 1, 0, 0, 0};
+        redcc_probe probe = {0, 0, 1, 0, 0, 0, 0, 0};
         redcc_probe_touch_row(&probe, worker, 0, array, row[t], bytes);
         class[t - worker->first] = redcc_class_of(&probe);
     }
-    redcc_store_classes(worker, class);
+    redcc_store_classes(worker, class, worker->last);
 }
 
 #define KERNEL(NAME, T, OPERATION, TYPE, UPDATE)                                                   \

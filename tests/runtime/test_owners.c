@@ -34,12 +34,14 @@ static void check(const redcc_owner *owner) {
             assert_int_equal(redcc_owns_part(owner, at, bytes), owns_a_byte(owner, at, bytes));
 }
 
-/* Checks the classes of iterations that touch a part of a row, or all of it. */
+/* Checks the classes of iterations that touch a part of a row, or all of it, and whether they leave
+ * a fence. */
 static void check_class(const redcc_owner *owner) {
-    const redcc_worker worker = {.window = owner};
+    const redcc_owner fence = {.first = memory + 3, .size = sizeof memory - 7};
+    const redcc_worker worker = {.window = owner, .owner = &fence};
     for (redcc_size bytes = 1; bytes <= 3 * BYTES; bytes += 1 + bytes / 8)
         for (const char *at = memory; at + bytes <= memory + sizeof memory; at++) {
-            redcc_probe by_address = {0, 0, 2, 0, 0, 0}, by_number = {0, 0, 2, 0, 0, 0};
+            redcc_probe by_address = {0, 0, 2, 0, 0, 0, 0, 0}, by_number = {0, 0, 2, 0, 0, 0, 0, 0};
             bool others = false;
             for (redcc_size i = 0; i < bytes; i++)
                 others = others || !redcc_owns(owner, at + i);
@@ -50,6 +52,9 @@ static void check_class(const redcc_owner *owner) {
                               (redcc_owns(owner, at) ? REDCC_CLASS_LEADS : 0);
             assert_int_equal(redcc_class_of(&by_address), class);
             assert_int_equal(redcc_class_of(&by_number), class);
+            const bool strays = at < fence.first || at + bytes > fence.first + fence.size;
+            assert_int_equal(by_address.strays, strays);
+            assert_int_equal(by_number.strays, strays);
         }
 }
 

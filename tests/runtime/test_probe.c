@@ -68,7 +68,7 @@ static void probe_and_tell(redcc_worker *worker) {
         if (redcc_is_settled(worker)) {
             const redcc_int from = t;
             for (; t < worker->last; t++) {
-                redcc_probe probe = {0, 0, 0, 0, 0, 0};
+                redcc_probe probe = {0, 0, 0, 0, 0, 0, 0, 0};
                 look_at(&probe, worker, t);
                 if (!redcc_is_alike(&probe))
                     break;

@@ -19,6 +19,8 @@ void write_region(loop_text *loop, writer *out) {
     assert(!has_leaders || !loop->outline.reads_call); /* write_slice_of_reads has written none */
     const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
+    if (loop->facts->inspector.hull_count > 0)
+        writer_line(out, "REDCC_HULLS");
     const char *tiles = loop->outline.tile_call
                             ? arena_format(loop->arena, " REDCC_TILED(%lld, %s, %s)",
                                            (long long)loop->facts->counted.step,

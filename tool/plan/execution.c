@@ -128,6 +128,14 @@ static bool is_over_blocks(const loop_plan *plan) {
     return has_blocks;
 }
 
+/** May the first iterations be executed by owners, as long as none updates what the loop reads, and
+ * the others in order (runtime/src/ownership/fences.h)? Series must not need a second execution of
+ * iterations whose reads were updated. */
+static bool may_end_in_order(const loop_facts *facts) {
+    return facts->inspector.exists && !has_values_from_before(facts) && !has_series(facts) &&
+           !facts->slice.exits && !facts->slice.may_abort;
+}
+
 void plan_execution(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const bool keeps_plan = is_verifiable(plan), needs_whole = has_values_from_before(facts);
@@ -138,6 +146,7 @@ void plan_execution(loop_plan *plan) {
         .needs_every_iteration = needs_every_iteration(facts),
         .needs_whole = needs_whole,
         .may_begin = !needs_whole && may_begin_in_order(facts),
+        .may_end_in_order = may_end_in_order(facts),
         .is_over_blocks = is_over_blocks(plan),
         .work = work_of_iteration(plan),
         .order = plan->options->order};

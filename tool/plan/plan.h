@@ -44,13 +44,15 @@ typedef struct execution_plan {
     unsigned key_count;         /* words of the key, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
     bool needs_every_iteration; /* an iteration may not be skipped, even if it updates nothing */
-    bool needs_whole;    /* the guard must compare all accesses before any update: an update may
-                          * change a value that the executor reads before the loop or stores only
-                          * after it */
-    bool may_begin;      /* the first iterations may be executed in order before the inspection, and
-                          * the remaining ones as a separate loop */
-    bool is_over_blocks; /* inspection is short, even if iterations are long */
-    int64_t work;        /* operations of an iteration (work.h) */
+    bool needs_whole; /* the guard must compare all accesses before any update: an update may
+                       * change a value that the executor reads before the loop or stores only
+                       * after it */
+    bool may_begin;   /* the first iterations may be executed in order before the inspection, and
+                       * the remaining ones as a separate loop */
+    bool may_end_in_order; /* the last iterations may be executed in order after the first ones were
+                            * executed by owners */
+    bool is_over_blocks;   /* its inspection is short, even if its iterations are long */
+    int64_t work;          /* operations of an iteration (work.h) */
     const array_section *sections; /* by array (sections.h), or NULL if the loop has none */
     result_order order;            /* the order that the results keep */
 } execution_plan;

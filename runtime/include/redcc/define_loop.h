@@ -192,9 +192,9 @@ static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
 }
 #endif
 
-/* Classifies iterations by whether the thread owns the rows they touch. The classes are stored in a
- * local array first, so that the compiler sees that storing them does not change the slice's reads.
- */
+/* Classifies iterations, up to the first that leaves a fence: does the thread own a row that they
+ * touch? The classes go to a local array, so that the compiler sees that storing them does not
+ * change the slice's reads. */
 static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -207,9 +207,11 @@ static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attem
         select.worker = worker;
         REDCC_THIS(_slice)
         (&select, REDCC_THIS(_counter)(attempt->first, k, &context), &context);
+        if (__builtin_expect(seen.strays, 0))
+            break;
         classes[k - worker->first] = redcc_class_of(&seen);
     }
-    redcc_store_classes(worker, classes);
+    redcc_store_classes(worker, classes, k);
 }
 
 /* Executes the chunks that redcc_next hands out. A chunk consists of runs of consecutive

@@ -383,21 +383,40 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         }                                                                                          \
     }
 
-/** For each iteration from worker->first to before worker->last, stores whether the thread owns
- * all, some or none of the rows that it touches. The classes are collected in a local array, so
- * that the compiler sees that storing them does not change what the slice reads. */
+/** At the beginning of a function that executes a loop whose slice has hulls. */
+#define REDCC_HULLS enum { redcc__has_hulls = 1 };
+enum { redcc__has_hulls = 0 };
+
+/** Classifies iterations, up to the first that leaves a fence: does the thread own a row that they
+ * touch? The classes go to a local array, so that the compiler sees that storing them does not
+ * change the slice's reads. */
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__source_mask = 0;                                                    \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
-        for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
-            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                              \
-            redcc_probe *const redcc__probe = &redcc__seen;                                        \
-            redcc_call_of_slice;                                                                   \
-            redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \
-        }                                                                                          \
-        redcc_store_classes(redcc__worker, redcc__class);                                          \
+        if (redcc__has_hulls && redcc_are_unmapped(redcc__worker))                                 \
+            REDCC_CLASSIFY_BY(1, redcc_selects, redcc_call_of_slice)                               \
+        else                                                                                       \
+            REDCC_CLASSIFY_BY(0, redcc_selects, redcc_call_of_slice)                               \
+        redcc_store_classes(redcc__worker, redcc__class, redcc__k);                                \
     }
+/* Two loops, so that the one by hulls needs no calls. */
+#define REDCC_CLASSIFY_BY(redcc_hull, redcc_selects, redcc_call_of_slice)                          \
+    for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {            \
+        redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0, 0, redcc_hull};                   \
+        redcc_probe *const redcc__probe = &redcc__seen;                                            \
+        redcc_call_of_slice;                                                                       \
+        if (__builtin_expect(redcc__seen.strays, 0))                                               \
+            break;                                                                                 \
+        redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);              \
+    }
+/** Has no owner of an array a map? */
+REDCC_INLINE int redcc_are_unmapped(const redcc_worker *worker) {
+    unsigned a = 0;
+    while (a < worker->call->loop->array_count && !worker->window[a].map)
+        a++;
+    return a == worker->call->loop->array_count;
+}
 
 /** Precedes a block that executes the next chunk: gets the chunk. Whenever redcc_next returns
  * REDCC_SELECT, classifies iterations and calls it again. */

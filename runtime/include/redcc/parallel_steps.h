@@ -144,14 +144,12 @@ REDCC_INLINE void redcc_slice_read_row(const redcc_slice *it, redcc_u32 source, 
     else
         redcc_read(it->worker, source, address, bytes);
 }
-REDCC_INLINE int redcc_slice_reports(const redcc_slice *it) {
-    return !it->probe && !it->sources;
-}
 REDCC_INLINE int redcc_slice_finished(const redcc_slice *it) {
-    return redcc_slice_reports(it) && !it->worker->last;
+    return !it->sources && (it->probe ? redcc_probe_is_over(it->probe) : !it->worker->last);
 }
 REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
-    return redcc_slice_reports(it) && redcc_is_over(it->worker, source);
+    return !it->sources &&
+           (it->probe ? redcc_probe_is_over(it->probe) : redcc_is_over(it->worker, source));
 }
 
 /* ---- bodies ---- */

@@ -48,20 +48,24 @@ enum { redcc__by_calls = 0 };
                          (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
                          sizeof((redcc_base)[redcc_row]))
 
-/** For a loop that needs a dry run: returns from the slice if the preceding update (_OVER) or read
- * (_STALE) has ended the dry run. */
+/** In a loop that needs a dry run: returns if the preceding update (OVER) or read (STALE) has ended
+ * the dry run, or has left a fence. */
 #define REDCC_RETURN_IF_OVER                                                                       \
-    if (redcc__worker && !redcc__probe && !redcc__source_mask && !redcc__worker->last)             \
+    if (redcc__worker && !redcc__source_mask &&                                                    \
+        (redcc__probe ? redcc_probe_is_over(redcc__probe) : !redcc__worker->last))                 \
         return;
 #define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
-    if (redcc__worker && !redcc__probe && !redcc__source_mask &&                                   \
-        redcc_is_over(redcc__worker, redcc_source))                                                \
+    if (redcc__worker && !redcc__source_mask &&                                                    \
+        (redcc__probe ? redcc_probe_is_over(redcc__probe)                                          \
+                      : redcc_is_over(redcc__worker, redcc_source)))                               \
         return;
 
 /** The iteration leaves the loop. */
 #define REDCC_LEAVE                                                                                \
     {                                                                                              \
-        if (redcc__worker && !redcc__probe && !redcc__source_mask)                                 \
+        if (redcc__worker && !redcc__source_mask && redcc__probe)                                  \
+            redcc__probe->outside = redcc__probe->strays = 1;                                      \
+        else if (redcc__worker && !redcc__source_mask)                                             \
             redcc_iteration_leaves(redcc__worker);                                                 \
         return;                                                                                    \
     }
@@ -76,19 +80,21 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/** A hull: the range of addresses from the lowest to the highest that the slice's loops over rows
- * touch. Both are 0 if the hull is empty. */
+/** The addresses from the lowest to the highest that loops over rows touch. */
 typedef struct redcc_hull {
-    const char *first, *end;
+    redcc_size first, end;
 } redcc_hull;
+#define REDCC_EMPTY_HULL                                                                           \
+    { ~(redcc_size)0, 0 }
 
 /** Does the hull suffice, without the addresses of all rows? Yes if touches are compared with a
  * single range, or logged in a dry run, whose guard compares ranges. */
 #define REDCC_BY_HULL(redcc_i)                                                                     \
-    (redcc__worker && !redcc__source_mask && !redcc__worker->window[redcc_i].map &&                \
-     (redcc__probe || redcc__worker->alike < 0))
-/** The step of a loop over rows, if its first and last rows have the lowest and highest addresses.
- * If the hull suffices, the loop goes from the first row directly to the last. */
+    (redcc__worker && !redcc__source_mask &&                                                       \
+     (redcc__probe && redcc__probe->selects                                                        \
+          ? redcc__probe->by_hull                                                                  \
+          : !redcc__worker->window[redcc_i].map && (redcc__probe || redcc__worker->alike < 0)))
+/** The step of a loop whose first and last rows have the extreme addresses. */
 #define REDCC_NEXT_ROW(redcc_counter, redcc_last)                                                  \
     redcc_counter = redcc__by_hull && redcc_counter != (__typeof__(redcc_counter))(redcc_last)     \
                         ? (__typeof__(redcc_counter))(redcc_last)                                  \
@@ -104,27 +110,38 @@ typedef struct redcc_hull {
 /** Follows the outermost loop that steps by REDCC_NEXT_ROW: records or compares the hull, if it is
  * not empty. */
 #define REDCC_TOUCH_HULL(redcc_i)                                                                  \
-    if (redcc__hull_##redcc_i.end)                                                                 \
+    if (redcc__by_hull)                                                                            \
         redcc_slice_touch_hull(redcc__probe, redcc__worker, redcc_i, &redcc__hull_##redcc_i);
 
 REDCC_INLINE void redcc_hull_add(redcc_hull *hull, redcc_probe *probe, const redcc_owner *window,
                                  const char *first, const char *end) {
     if (probe)
         redcc_probe_first(probe, window, first);
-    hull->first = hull->end && hull->first < first ? hull->first : first;
-    hull->end = hull->end > end ? hull->end : end;
+    hull->first = hull->first < (redcc_size)first ? hull->first : (redcc_size)first;
+    hull->end = hull->end > (redcc_size)end ? hull->end : (redcc_size)end;
 }
+/* Does a part of the hull lie outside of the range? Not if the hull is empty. */
+REDCC_INLINE int redcc_hull_leaves(const redcc_hull *hull, const redcc_owner *range) {
+    return (hull->first < (redcc_size)range->first) |
+           (hull->end > (redcc_size)range->first + range->size);
+}
+/* Compares without branches, so that compilers load the ranges once for all iterations. */
 REDCC_INLINE void redcc_slice_touch_hull(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
                                          const redcc_hull *hull) {
     const redcc_owner *window = &worker->window[array];
-    const redcc_size bytes = (redcc_size)(hull->end - hull->first);
     if (!probe) {
-        redcc_touch_span(worker, array, hull->first, hull->end);
+        if (hull->end)
+            redcc_touch_span(worker, array, (const char *)hull->first, (const char *)hull->end);
         return;
     }
-    probe->inside |=
-        !probe->selects || redcc_intersects(window->first, window->size, hull->first, bytes);
-    probe->outside |= redcc_leaves(window->first, window->size, hull->first, bytes);
+    probe->outside |= redcc_hull_leaves(hull, window);
+    if (!probe->selects) {
+        probe->inside |= hull->end != 0;
+        return;
+    }
+    probe->inside |= (window->size > 0) & ((redcc_size)window->first < hull->end) &
+                     (hull->first < (redcc_size)window->first + window->size);
+    probe->strays |= redcc_hull_leaves(hull, &worker->owner[array]);
 }
 
 /* Handles a touch that is not certainly in the owned range: one outside of it, or any touch if the
@@ -237,8 +254,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
              redcc__k += redcc__worker->stride) {                                                  \
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
+                const int redcc__dry = redcc__worker->alike < 0; /* may touch nothing */           \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                  \
+                    redcc_probe redcc__seen = {redcc__dry, 0, 0, 0, 0, 0, 0, 0};                   \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \

@@ -164,10 +164,10 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->call->calls->flush(worker); /* the owned range may differ for the next iteration */
 }
 
-/** The result of probing an iteration. `inside`: it touches an element. `outside`: it touches or
- * reads something outside of the known ranges, so it needs a record. With REDCC_SELECT, `inside`
- * and `outside` mean that it touches an element inside and outside of the owned range, and reads do
- * not matter. All fields are initially 0, except `selects` for REDCC_SELECT. */
+/** The probe of an iteration, which finds out whether it needs a record. inside: it touches an
+ * element of the owned range. outside: it touches or reads something outside of the known ranges.
+ * All fields are initially 0, except `selects` and `by_hull` for REDCC_SELECT. Then `outside` means
+ * that the iteration touches an element outside of the owned range. */
 typedef struct redcc_probe {
     int inside;
     int outside;
@@ -176,6 +176,8 @@ typedef struct redcc_probe {
     int preferred; /* the next row that the slice touches is preferred as the leading row */
     int rank;      /* rank of the leading row so far; 0: no row, 1: a row, 2: a preferred row */
     int leads;
+    int strays;  /* REDCC_SELECT: the iteration leaves a fence */
+    int by_hull; /* REDCC_SELECT: no owner has a map, so hulls suffice (slice.h); a constant */
 } redcc_probe;
 
 /** Finds the iteration's leader: the owner of the first byte of the first preferred row or, if no
@@ -206,7 +208,7 @@ REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *wind
  * worker->alike; the first one for which it does not hold is recorded. False if no owned range is
  * set or the stride is not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
-    return worker->alike >= REDCC_SETTLED;
+    return worker->alike >= REDCC_SETTLED || worker->alike <= REDCC_DRY_PROBED;
 }
 
 /* In a loop that calls the functions below, compilers keep all arguments except `address` and `row`
@@ -245,15 +247,17 @@ static __inline__ int redcc_intersects(const char *first, redcc_size size, const
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array];
-    if (bytes > 0)
-        redcc_probe_first(probe, window, address);
-    if (window->map && bytes > 0) {
+    const redcc_owner *window = &worker->window[array], *fence = &worker->owner[array];
+    if (bytes == 0)
+        return;
+    redcc_probe_first(probe, window, address);
+    probe->strays |= redcc_leaves(fence->first, fence->size, address, bytes);
+    if (window->map) {
         redcc_probe_mapped(probe, window, address, bytes);
         return;
     }
-    probe->inside |= bytes > 0 && redcc_intersects(window->first, window->size, address, bytes);
-    probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
+    probe->inside |= redcc_intersects(window->first, window->size, address, bytes);
+    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 
 REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
@@ -282,19 +286,28 @@ REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *
 
 static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
                                         redcc_u32 source, const void *address, redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source]; /* empty when a kept plan is used */
-    if (!probe->selects)
-        probe->outside |= redcc_leaves(
-            known->first, (redcc_size)known->end - (redcc_size)known->first, address, bytes);
+    const redcc_extent *known = &worker->sources[source];
+    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
+    if (probe->selects)
+        probe->strays |= bytes > 0 && redcc_leaves(known->first, size, address, bytes);
+    else
+        probe->outside |= redcc_leaves(known->first, size, address, bytes);
 }
 
 static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_worker *worker,
                                             redcc_u32 source, const void *base, redcc_int row,
                                             redcc_size bytes) {
     const redcc_extent *known = &worker->sources[source];
-    if (!probe->selects)
+    if (probe->selects)
+        redcc_probe_read(probe, worker, source, (const char *)base + row * (redcc_int)bytes, bytes);
+    else
         probe->outside |= redcc_row_leaves(
             known->first, (redcc_size)known->end - (redcc_size)known->first, base, row, bytes);
+}
+
+/** Has the probed iteration touched or read something outside, so that its slice need not go on? */
+static __inline__ int redcc_probe_is_over(const redcc_probe *probe) {
+    return probe->strays || (probe->outside && !probe->selects);
 }
 
 /** Does the probed iteration need no record? */
@@ -309,10 +322,12 @@ static __inline__ unsigned char redcc_class_of(const redcc_probe *probe) {
                            (probe->leads ? REDCC_CLASS_LEADS : 0));
 }
 
-/** REDCC_SELECT: stores the classes of the requested iterations. */
-static __inline__ void redcc_store_classes(const redcc_worker *worker,
-                                           const unsigned char *classes) {
-    __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(worker->last - worker->first));
+/** REDCC_SELECT: stores the classes of the iterations before `end`: all, or those before the first
+ *  one that leaves a fence. */
+static __inline__ void redcc_store_classes(redcc_worker *worker, const unsigned char *classes,
+                                           redcc_int end) {
+    worker->last = end;
+    __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(end - worker->first));
 }
 
 /** May this thread write any of the `bytes` bytes at `address`? If the owner has a hook, returns 1

@@ -199,15 +199,21 @@ enum {
      * inspected. The remaining iterations are then executed as the same loop with a later first
      * iteration. */
     REDCC_BEGINS = 67108864,
-    /** The slice records the rows of inner loops as blocks, so that an inspection is short even if
-     * iterations are long. */
-    REDCC_BLOCKS = 134217728
+    /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
+     *  iterations are. */
+    REDCC_BLOCKS = 134217728,
+    /** Its executor may execute the first iterations by owners and the others in order: no value is
+     * read before the loop, or kept until its end, that an update might change. So whether an
+     * iteration stays within its fences (REDCC_SELECT) need not be known before the loop. */
+    REDCC_FENCED = 268435456
 };
 
 enum {
-    /** Result of redcc_next. Before the next call, the caller must write the class of each
-     * iteration from `first` to before `last` (at most REDCC_SELECTED iterations) to the bytes at
-     * `entry`. `window` is the range that the thread owns. */
+    /** A result of redcc_next: the class of each iteration first, first + 1, ... < last must be
+     * written to the bytes at `entry` (at most REDCC_SELECTED of them) before the next call.
+     * `window` is the range that the thread owns, `owner` the fence of each array's updates,
+     * `sources` that of each source's reads. At the first iteration that leaves a fence, `last` is
+     * set to it, and no later iteration is classified. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
     /** Result of redcc_next: the thread must execute the tile `variant.tile`, which has at most
@@ -301,6 +307,9 @@ typedef struct redcc_entry {
  * (redcc_is_settled). If owners alternate, so many in a row are rare, and hardly any iteration is
  * inspected twice. */
 #define REDCC_SETTLED 8
+/** worker->alike in a dry run is negative: at most this if the next iterations are probed, because
+ *  all ranges that they must not touch are known; otherwise greater. */
+#define REDCC_DRY_PROBED (-((redcc_int)1 << 61))
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
@@ -346,8 +355,9 @@ typedef struct redcc_worker {
     const redcc_iterations *run;
     const redcc_iterations *run_end;
     void *const *base;        /* for each array: the base to write to (perhaps of a copy) */
-    const redcc_owner *owner; /* for each array, its elements that the thread owns; in a dry run,
-                                 for each source, a range found disjoint from all updates */
+    const redcc_owner *owner; /* for each array; in a dry run, for each source: ranges found
+                               * disjoint from all updates; after REDCC_SELECT, for each array: its
+                               * fence */
     void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_variant variant; /* set by redcc_next */

@@ -47,6 +47,7 @@
       "a linked function of another file differs from the analysed one: compile this file again")  \
     X(REASON_OTHER_THREADS, "other-threads",                                                       \
       "the loop ran with its OpenMP directives: other threads may update the same array")          \
+    X(REASON_STRAYED, "strayed", "an iteration left the memory that the last inspection found")    \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
 
 enum reason {

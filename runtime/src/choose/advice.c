@@ -298,10 +298,9 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* The time of a thread that selects its own iterations, as a share of the sequential time. The
- * thread evaluates the slices of all iterations. Before that, all threads together (or one thread,
- * in a dry run) have evaluated these slices once. With REDCC_PARTS, replicated iterations count as
- * a quarter, because they skip most of their work. */
+/* The share of a thread that selects its own iterations: it evaluates all slices. Without fences
+ * all threads together (or one, in a dry run) have evaluated them once before. With REDCC_PARTS,
+ * replicated iterations count as a quarter, since they skip most of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
@@ -314,9 +313,9 @@ static double share_directly(const struct inspection *inspection, const struct f
     /* tiles compute each pair once, and their slices are short */
     if (redcc_may_be_tiled(inspection) && it->sequential > 0)
         return even;
-    return flags & REDCC_SELECTS && it->sequential > 0
-               ? share + (dried + slice * (1 + even)) / it->sequential
-               : 0;
+    const double before = flags & REDCC_FENCED ? 0 : dried + slice * even;
+    return flags & REDCC_SELECTS && it->sequential > 0 ? share + (before + slice) / it->sequential
+                                                       : 0;
 }
 
 /* Adds the findings for bins. Bins are expected to pay if updates are irregular, or if private

@@ -83,6 +83,7 @@ static void place_owners(struct runner *runner) {
 void redcc_run_begin(struct run *run) {
     run->plan = NULL;
     run->validation = (struct validation){0};
+    redcc_fences_open(&run->fences, run->call->request.loop);
     run->executed = 0;
     atomic_store_explicit(&run->error, 0, memory_order_relaxed);
     atomic_store_explicit(&run->last_claimed, 0, memory_order_relaxed);
@@ -137,6 +138,7 @@ static void begin_selecting(redcc_worker *worker) {
     const int thread = runner->thread, threads = runner->threads;
     memcpy(selection->window, runner->owner, plan->array_count * sizeof *selection->window);
     redcc_selection_begin(selection, worker, plan->trip);
+    worker->sources = runner->run->fences.reads;
     if (runner->run->call->request.loop->flags & REDCC_EVERY_ITERATION)
         redcc_selection_set_idle(selection, redcc_share(plan->trip, threads, thread),
                                  redcc_share(plan->trip, threads, thread + 1));
@@ -272,6 +274,16 @@ static void reach_stage(struct runner *runner, uint32_t stage) {
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
 }
 
+/* All threads have found that an iteration leaves a fence (ownership/fences.h), and each has
+ * executed its iterations before that: the first thread executes the others in order. */
+static void execute_rest(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    assert(runner->run->fences.stand && !runner->run->validation.began);
+    redcc_barrier_wait(runner->run->barrier, runner->threads);
+    if (runner->thread == 0)
+        redcc_run_rest(worker, runner->selection.end);
+}
+
 static void finish(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
@@ -289,6 +301,8 @@ static void finish(redcc_worker *worker) {
         redcc_rounding_add(plan, runner->thread);
     }
     runner->step = STEP_END;
+    if (plan->method->selects && runner->selection.end < plan->trip)
+        execute_rest(worker);
     if (!run->validation.began)
         return;
     redcc_barrier_wait(run->barrier, runner->threads);
@@ -414,6 +428,7 @@ static int hand_out_selected(redcc_worker *worker) {
         const size_t runs =
             redcc_selection_take(selection, worker, hooked, runner->piece, &iterations);
         worker->origin = worker->first;
+        worker->owner = runner->owner;
         worker->run = runner->piece;
         worker->run_end = runner->piece + runs;
         advance_to_slice(worker);
@@ -422,6 +437,7 @@ static int hand_out_selected(redcc_worker *worker) {
         if (runs > 0)
             return 1;
     }
+    worker->owner = runner->run->fences.updates;
     return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
@@ -461,7 +477,7 @@ static int next_chunk(redcc_worker *worker) {
         if (handed)
             return handed;
         finish(worker);
-        return runner->step == STEP_CHECK ? next_in_order(worker) : 0;
+        return runner->step == STEP_END ? 0 : next_in_order(worker);
     }
     case STEP_REST:
     case STEP_CHECK:

@@ -12,6 +12,7 @@
 #include "execute/tiles.h"
 #include "execute/validate.h"
 #include "execute/variant.h"
+#include "ownership/fences.h"
 #include "plan/plan.h"
 
 enum { REDCC_RUNS = 128 };
@@ -33,7 +34,8 @@ struct run {
     struct barrier *barrier;
     struct validated *validated; /* NULL: the loop is not validated */
     struct validation validation;
-    atomic_ullong error; /* the errno of the loop (redcc_note_error) */
+    struct fences fences; /* with a method that classifies iterations */
+    atomic_ullong error;  /* the loop's errno: executor.c */
     atomic_int last_claimed;
     atomic_uint
         blocks_claimed; /* number of stealable blocks, or bands of tiles, that threads have taken */

@@ -9,7 +9,7 @@ _Static_assert(REDCC_SELECTED == WORD * REDCC_SELECTED_WORDS, "a bit for each it
 
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
     assert(trip >= 0);
-    selection->trip = trip;
+    selection->trip = selection->end = trip;
     selection->idle_begin = selection->idle_end = 0;
     selection->executed = 0;
     selection->taken = 0;
@@ -24,13 +24,18 @@ void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redc
     selection->idle_end = end;
 }
 
+/* The end of the block of iterations that begins with worker->first. */
+static redcc_int end_of_block(const struct selection *selection, const redcc_worker *worker) {
+    const redcc_int left = selection->end - worker->first;
+    return worker->first + (left < REDCC_SELECTED ? left : REDCC_SELECTED);
+}
+
 bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
-    const redcc_int left = selection->trip - worker->last;
-    assert(!selection->asked && left >= 0);
-    if (left == 0)
+    assert(!selection->asked && worker->last <= selection->end);
+    if (worker->last == selection->end)
         return false;
     worker->first = worker->last;
-    worker->last += left < REDCC_SELECTED ? left : REDCC_SELECTED;
+    worker->last = end_of_block(selection, worker);
     worker->stride = 1;
     worker->entry = (redcc_entry *)(void *)selection->class;
     selection->asked = true;
@@ -87,6 +92,28 @@ static redcc_int length_until(uint64_t ends, unsigned bit) {
     return length < left ? length : left;
 }
 
+/* Is each iteration of the word to be a run of its own? Each run ends by about one mispredicted
+ * branch, which takes as long as the beginnings of six runs. But each run of lanes, or with
+ * prefetches, begins by a call. All iterations must have one flag. */
+static bool is_scattered(const struct class_bits *bits, const redcc_variant *variant) {
+    const uint64_t executed = bits->executed;
+    const int runs = __builtin_popcountll(executed & ~(executed << 1));
+    return 6 * runs > __builtin_popcountll(executed) && !variant->lanes && !variant->prefetches &&
+           (bits->follows == 0 || bits->follows == executed);
+}
+
+/* Writes the iterations of a word as runs of one: without a branch that depends on the classes. */
+static size_t take_each(const struct class_bits *bits, redcc_int first, bool hooked,
+                        redcc_iterations *to) {
+    size_t runs = 0;
+    for (uint64_t left = bits->executed; left; left &= left - 1) {
+        const unsigned bit = (unsigned)__builtin_ctzll(left);
+        const redcc_u32 check = hooked || bits->shared >> bit & 1;
+        to[runs++] = (redcc_iterations){(redcc_u32)first + bit, 2 + check};
+    }
+    return runs;
+}
+
 /* A word with all bits set if `is_set`, otherwise 0. */
 static uint64_t all_if(bool is_set) {
     return is_set ? UINT64_MAX : 0;
@@ -99,9 +126,11 @@ size_t redcc_selection_take(struct selection *selection, const redcc_worker *wor
     const redcc_int count = worker->last - worker->first;
     size_t runs = 0;
     bool is_open = false;
-    assert(0 < count && count <= REDCC_SELECTED);
+    assert(0 <= count && count <= REDCC_SELECTED);
     if (selection->asked) {
         selection->taken = 0;
+        if (worker->last < end_of_block(selection, worker)) /* an iteration leaves a fence */
+            selection->end = worker->last;
         set_bits(selection, worker);
     }
     selection->asked = false;
@@ -111,6 +140,18 @@ size_t redcc_selection_take(struct selection *selection, const redcc_worker *wor
         const struct class_bits *bits = &selection->bits[first / WORD];
         const unsigned bit = (unsigned)(first % WORD);
         const uint64_t shared = hooked ? 0 : bits->shared;
+        if (bit == 0 && is_scattered(bits, &worker->variant)) {
+            const bool follows = bits->follows != 0;
+            if (runs > 0 && follows != selection->follows)
+                break;
+            selection->follows = follows;
+            const size_t more = take_each(bits, first, hooked, to + runs);
+            runs += more;
+            *iterations += (redcc_int)more;
+            selection->taken += WORD;
+            is_open = false;
+            continue;
+        }
         if (!(bits->executed >> bit & 1)) {
             selection->taken += length_until(bits->executed, bit);
             is_open = false;

@@ -20,10 +20,7 @@
 
 #include <assert.h>
 
-/* value of worker->alike while all iterations are recorded and none is probed */
-static const redcc_int never_settled = -((redcc_int)1 << 62);
-
-/* Begins a run with the first iteration. Nothing is touched or read yet. */
+/* Begins a run from the first iteration, with nothing touched or read. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
     struct dry_run *run = &inspector->dry_run;
     for (uint32_t array = 0; array < inspection->partition.array_count; array++)
@@ -54,13 +51,19 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     return !inspector->failed;
 }
 
-/* Makes the worker call flush after a single entry (which the end of an iteration may follow), so
- * that each touch outside of the windows is processed immediately. */
-static void expect_one(const struct inspector *inspector, redcc_worker *worker) {
+/* Are all relevant read ranges known beforehand? */
+static bool is_all_known(const struct inspection *inspection) {
+    return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
+}
+
+/* Leaves room for one touch and an iteration's end, so that the next touch outside of the windows
+ * is processed immediately. */
+static void expect_one(const struct inspection *inspection, const struct inspector *inspector,
+                       redcc_worker *worker) {
     worker->entry = inspector->entries;
     worker->entry_end = inspector->entries + 1;
     worker->inside = worker->outside = 0;
-    worker->alike = never_settled;
+    worker->alike = is_all_known(inspection) ? 2 * REDCC_DRY_PROBED : REDCC_DRY_PROBED / 2;
 }
 
 bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
@@ -83,17 +86,11 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     run->block = redcc_next_before_deadline(run->block);
     redcc_hand_out(inspector, worker, first, inspector->next, 1, run->window);
     worker->owner = run->clear;
-    expect_one(inspector, worker);
+    expect_one(inspection, inspector, worker);
     return true;
 }
 
-/* Are all relevant read ranges known before the dry run? */
-static bool is_all_known(const struct inspection *inspection) {
-    return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
-}
-
-/* The range of a source that is read so far: its known range or, if the ranges of subscripts are
- * not all known, the range that was recorded. */
+/* The range that is read of a source: the known one, or the recorded one if it is relevant. */
 static struct range range_read(const struct inspection *inspection,
                                const struct inspector *inspector, uint32_t source) {
     const redcc_extent known = inspection->call->request.known[source];
@@ -220,7 +217,7 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
     for (const redcc_entry *entry = inspector->entries; entry < worker->entry; entry++)
         if (worker->last > 0 && entry->array != REDCC_END_OF_ITERATION)
             take_touch(inspection, inspector, worker, entry);
-    expect_one(inspector, worker);
+    expect_one(inspection, inspector, worker);
 }
 
 double redcc_dry_run_done(const struct inspection *inspection) {

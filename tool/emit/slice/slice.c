@@ -91,7 +91,8 @@ static bool before_statement(printer *p, const ir_node *statement) {
 /* ---- spans: loops whose rows are logged as one range ----------------------------------------- */
 
 static bool is_at_once(const printer *p, const ir_node *loop) {
-    return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
+    const inspector *self = (const inspector *)p;
+    return span_of(self->loop->facts, loop) && !loads_between_updates(self->loop, loop);
 }
 
 /** Are both places within the same loops with constant bounds? Only loops whose counters occur in
