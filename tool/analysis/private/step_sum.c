@@ -98,11 +98,10 @@ static bool keeps_value(const ir_type *from, const ir_type *to) {
                                   : ir_type_is_plain_integer(from) && from->size >= to->size;
 }
 
-/* Can the variable hold such a value between two statements? It must change only by name. */
-static bool is_carrier(const loop_analysis *j, const ir_variable *variable, const ir_type *type) {
+/* Does the variable change only by name? */
+static bool is_carrier(const loop_analysis *j, const ir_variable *variable) {
     return variable_is_automatic(variable) && variable->function == j->function &&
-           !variable->address_taken && !variable->has_other_name &&
-           variable->type->size == type->size;
+           !variable->address_taken && !variable->has_other_name;
 }
 
 /* Adds a term of a copied sum. */
@@ -138,7 +137,7 @@ static const ir_variable *copied_from(const loop_analysis *j, const ir_node *val
             return NULL;
     }
     return node->kind == IR_VARIABLE && keeps_value(node->type, type) &&
-                   is_carrier(j, node->variable, type)
+                   is_carrier(j, node->variable)
                ? node->variable
                : NULL;
 }
