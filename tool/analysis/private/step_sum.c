@@ -19,6 +19,39 @@ bool step_is_in_each(const loop_analysis *j, const ir_node *write) {
     return is_in_header(j, write) && executed_certainly_in(j->loop->children[2], write);
 }
 
+/* Does nothing in the loop write the variable through a pointer? This is proved, without a guard at
+ * run time. Distributed stores are not among the loop's accesses. */
+static bool stays(const loop_analysis *j, const ir_node *variable) {
+    const location from = location_of(j->an->facts, variable, j->loop);
+    access_list list = {0};
+    access_collect(j->an->effects, j->loop, &list);
+    for (unsigned i = 0; i < list.items.count; i++) {
+        const access *a = &list.items.items[i];
+        if (a->kind == ACCESS_READ)
+            continue;
+        if (!a->lvalue)
+            return false;
+        const location to = location_of(j->an->facts, a->lvalue, j->loop);
+        if (locations_overlap(&j->an->rules, &from, &to) != OVERLAP_NO)
+            return false;
+    }
+    return !j->left_out.distribution;
+}
+
+static bool all_stay(const loop_analysis *j, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && node->variable->address_taken && !stays(j, node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!all_stay(j, node->children[i]))
+            return false;
+    return true;
+}
+
+/* Has the expression the same value in all iterations? */
+static bool is_steady(const loop_analysis *j, const ir_node *node) {
+    return stride_is_unwritten(j->loop, node) && all_stay(j, node);
+}
+
 /* Adds times * value. Returns false if there are too many different values. */
 static bool add_stride(private_variable *item, const ir_node *value, int64_t times) {
     for (unsigned i = 0; i < item->stride_count; i++)
@@ -42,9 +75,8 @@ static bool add_step(const loop_analysis *j, const ir_node *write, const ir_vari
         item->step += step;
         return true;
     }
-    const ir_node *stride =
-        item->inner.loop ? NULL : stride_added(j->loop, write, variable, &is_down);
-    return stride && add_stride(item, stride, is_down ? -1 : 1);
+    const ir_node *stride = item->inner.loop ? NULL : stride_added(write, variable, &is_down);
+    return stride && is_steady(j, stride) && add_stride(item, stride, is_down ? -1 : 1);
 }
 
 /* ---- steps of the variable itself ------------------------------------------------------------ */
@@ -112,7 +144,7 @@ static bool add_term(const loop_analysis *j, const ir_node *term, bool is_down,
         item->step += is_down ? -constant : constant;
         return true;
     }
-    return stride_is_steady(j->loop, term) && add_stride(item, term, is_down ? -1 : 1);
+    return is_steady(j, term) && add_stride(item, term, is_down ? -1 : 1);
 }
 
 /* The variable w if the value is w, w + e, w - e or &w[e], with any number of terms e, which are
