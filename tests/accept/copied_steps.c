@@ -29,6 +29,31 @@ static long three_rows(const double *entries, int n, int m) {
     return r0 - entries;
 }
 
+/* The step's address is taken, but no update can write an int. The pointers are set in two loops. */
+static void set_length(int *m, int by) {
+    *m = by;
+}
+
+static long two_walks(const double *entries, int n, int by) {
+    const double *r0 = entries, *r1, *r2;
+    int m, i;
+    set_length(&m, by);
+    for (i = 0; i < n - 2; i += 3) { // EXPECT: transformed
+        r1 = r0 + m;
+        r2 = r1 + m;
+        for (int k = 0; k < m; k++)
+            h[s[i]] -= r0[k] * r1[k] + r2[k];
+        r0 = r2 + m;
+    }
+    for (; i < n; i += 2) { // EXPECT: transformed
+        r1 = &r0[m];
+        for (int k = 0; k < m; k++)
+            h[s[i]] -= r0[k] - r1[k];
+        r0 = m + r1;
+    }
+    return r0 - entries;
+}
+
 static long in_header(const double *entries, int n, unsigned m) {
     const double *p, *q;
     int i;
@@ -139,6 +164,8 @@ int main(void) {
         sum = 3 * sum + three_rows(e, 3 * ROWS, WIDE);
         sum = 3 * sum + three_rows(e + round, ROWS, round);
         sum = 3 * sum + three_rows(e, 2, WIDE);
+        sum = 3 * sum + two_walks(e, 2 * ROWS, WIDE);
+        sum = 3 * sum + two_walks(e, 7, round);
         sum = 3 * sum + in_header(e, ROWS, 3);
         sum = 3 * sum + declared(2 * ROWS, round, 2);
         sum = 3 * sum + declared(2 * ROWS, 5 * ROWS * WIDE / 2, -2);
