@@ -268,6 +268,31 @@ static void scalar_sum(kernel *k) {
     store_after(k, name);
 }
 
+/* Adds 1 to a secondary counter through a copy; or sometimes 0, then a condition decides. */
+static void copied_step(kernel *k, const char *type, const char *name) {
+    const char *next = new_name(k, "copy"), *by = text(k, "%d", 1 + below(k, 3));
+    if (chance(k, 60)) {
+        const char *number = by;
+        by = new_name(k, "by");
+        declare_outside(k, "int", by, number);
+    }
+    const bool is_outside = chance(k, 50);
+    if (is_outside)
+        declare_outside(k, type, next, "0");
+    else
+        put(k, &k->body, "%s ", type);
+    put(k, &k->body,
+        is_outside && chance(k, 30) ? "%1$s = %2$s, %1$s += %3$s;\n" : "%1$s = %2$s + %3$s;\n",
+        next, name, by);
+    if (chance(k, 40))
+        plain_update(k);
+    if (chance(k, 10))
+        put(k, &k->body, "if (%s)\n%s--;\n", condition(k), next);
+    put(k, &k->body,
+        chance(k, 50) ? "%1$s = %2$s - %3$s + 1;\n" : "%1$s = 1 + %2$s, %1$s -= %3$s;\n", name,
+        next, by);
+}
+
 /* A secondary counter, used before and after its step. */
 static void counter_beside(kernel *k) {
     static const char *const types[] = {"int", "int", "long", "unsigned"};
@@ -275,11 +300,15 @@ static void counter_beside(kernel *k) {
         return;
     const char *name = new_name(k, "a");
     const char *place = chance(k, 50) ? name : text(k, "(%s + 1)", name);
-    declare_outside(k, types[below(k, LENGTH(types))], name, text(k, "%d", below(k, 5)));
+    const char *type = types[below(k, LENGTH(types))];
+    declare_outside(k, type, name, text(k, "%d", below(k, 5)));
     add_name(&k->scope.positions, place);
     if (chance(k, 50))
         plain_update(k);
-    put(k, &k->body, chance(k, 50) ? "%s++;\n" : "%s += 1;\n", name);
+    if ((k->has_strides || k->has_idioms) && chance(k, 70))
+        copied_step(k, type, name);
+    else
+        put(k, &k->body, chance(k, 50) ? "%s++;\n" : "%s += 1;\n", name);
     if (chance(k, 40))
         store_after(k, name);
 }
@@ -312,6 +341,11 @@ void statement(kernel *k) {
     const size_t begin = begin_statement(k);
     if (k->is_wide && chance(k, 15)) {
         wide_statement(k);
+        end_statement(k, begin);
+        return;
+    }
+    if ((k->has_strides || k->has_idioms) && !k->scope.depth && chance(k, 20)) {
+        counter_beside(k);
         end_statement(k, begin);
         return;
     }

@@ -62,14 +62,6 @@ void by_itself(int n, int k) {
     }
 }
 
-void by_two(int n, int k, int a, int b) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        h[s[i]] += e[k];
-        k += a;
-        k += b;
-    }
-}
-
 void by_fraction(int n, int k, float by) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         h[s[i]] += e[k];

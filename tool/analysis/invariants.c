@@ -138,8 +138,8 @@ static void assert_private(const loop_facts *facts, const private_variable *item
     assert(item->is_stepped || (!item->is_step_wanted && !item->is_in_slice && !item->entry));
     assert(!item->is_stepped || item->variable->type->kind == IR_INTEGER ||
            item->variable->type->kind == IR_POINTER);
-    assert(item->is_stepped || !(item->stride || item->inner.loop));
-    assert(!item->stride || !item->inner.loop);
+    assert(item->is_stepped || !(item->stride_count || item->inner.loop));
+    assert(!item->stride_count || !item->inner.loop);
 }
 
 static void assert_span(const loop_facts *facts, const loop_span *span) {

@@ -142,7 +142,7 @@ void fill_key(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice) {
             writer_line(out, "redcc__key[%u] = redcc__from_%u;", number++, i);
-            if (facts->variables.privates[i].stride)
+            if (facts->variables.privates[i].stride_count)
                 writer_line(out, "redcc__key[%u] = redcc__by_%u;", number++, i);
             if (facts->variables.privates[i].inner.loop)
                 writer_line(out, "redcc__key[%u] = (redcc_word)redcc__inner_trips_%u;", number++,

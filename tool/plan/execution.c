@@ -53,9 +53,10 @@ static unsigned stepped_count(const loop_facts *facts) {
     unsigned count = facts->counted.stride ? 1 : 0;
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice)
-            count += facts->variables.privates[i].stride || facts->variables.privates[i].inner.loop
-                         ? 2
-                         : 1;
+            count +=
+                facts->variables.privates[i].stride_count || facts->variables.privates[i].inner.loop
+                    ? 2
+                    : 1;
     return count;
 }
 

@@ -10,10 +10,13 @@
  *  iterations. */
 bool stride_is_steady(const ir_node *loop, const ir_node *node);
 
-/** Is the write of the form v += e, v -= e, v = v + e or the like, with a steady e
- *  (stride_is_steady)? Returns e, and sets *is_down if e is subtracted. Otherwise returns NULL. */
-const ir_node *stride_added(const ir_node *loop, const ir_node *write, const ir_variable *v,
-                            bool *is_down);
+/** The same for variables that may also change through their addresses, which the caller must
+ *  check. */
+bool stride_is_unwritten(const ir_node *loop, const ir_node *node);
+
+/** Is the write of the form v += e, v -= e, v = v + e or the like? Returns e, and sets *is_down if
+ *  e is subtracted. Otherwise returns NULL. */
+const ir_node *stride_added(const ir_node *write, const ir_variable *v, bool *is_down);
 
 /** Fills in counter, step (1 or -1) and stride of `counted` from a header's increment of an integer
  *  counter by a steady expression (stride_added). Returns false if `increment` has another form.

@@ -227,6 +227,15 @@ typedef struct triangle {
     bool is_below;
 } triangle;
 
+enum { MOST_STRIDES = 4 };
+
+/** An amount that each iteration adds to a variable: times * value. */
+typedef struct variable_stride {
+    const ir_node *value; /* an integer expression of local variables that the loop does not
+                           * change */
+    int64_t times;
+} variable_stride;
+
 typedef struct private_variable {
     ir_variable *variable;
     bool is_declared_inside;      /* declared inside the loop, so no code is generated for it */
@@ -242,13 +251,12 @@ typedef struct private_variable {
                           * the header does not set it */
     bool is_in_slice;    /* for is_stepped: the inspector uses it */
     int64_t step;
-    const ir_node *stride; /* for is_stepped: an integer expression of invariant local variables
-                            * that each iteration adds as well; NULL if there is none */
-    bool is_down;          /* `stride` is subtracted */
-    triangle inner;        /* for is_stepped: if inner.loop is set, the iterations of that inner
-                            * loop step the variable, not those of the analysed loop */
-    const ir_node *entry;  /* for is_stepped: the value to which the header sets it; NULL if it
-                            * begins with its value before the loop */
+    unsigned stride_count;
+    variable_stride strides[MOST_STRIDES]; /* for is_stepped: each iteration adds these as well */
+    triangle inner;       /* for is_stepped: if inner.loop is set, the iterations of that inner
+                           * loop step the variable, not those of the analysed loop */
+    const ir_node *entry; /* for is_stepped: the value to which the header sets it; NULL if it
+                           * begins with its value before the loop */
     bool is_declared_in_header; /* declared in the header, like the counter, so it does not exist
                                  * outside of the loop. C can spell its type */
 } private_variable;

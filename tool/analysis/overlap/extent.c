@@ -94,9 +94,56 @@ static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base
     return NULL;
 }
 
-/* The base of the read's address, as it is before the loop; NULL if it is unknown. */
+static bool is_private(const loop_analysis *j, const ir_variable *variable) {
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == variable)
+            return !j->privates.items[i].is_stepped;
+    return false;
+}
+
+/* The only value that the loop gives to a private pointer, which iterations write before reading
+ * it; NULL if it is no such pointer. */
+static const ir_node *only_value(const loop_analysis *j, const ir_node *base) {
+    const ir_node *only = NULL;
+    if (base->kind != IR_VARIABLE || base->type->kind != IR_POINTER ||
+        base->variable->address_taken || base->variable->has_other_name ||
+        !is_private(j, base->variable))
+        return NULL;
+    const variable_fact *fact = variable_fact_of(j->an->facts, base->variable);
+    for (unsigned i = 0; i < fact->writes.count; i++)
+        if (ir_contains(j->loop, fact->writes.items[i])) {
+            if (only)
+                return NULL;
+            only = fact->writes.items[i];
+        }
+    if (only && only->kind == IR_DECLARATOR)
+        return only->children[0];
+    return only && only->kind == IR_ASSIGN && only->op == IR_OP_NONE ? only->children[1] : NULL;
+}
+
+/* The pointer variable w of a value w, w + e, w - e or &w[e]; NULL for another value. */
+static const ir_node *pointer_in(const ir_node *value) {
+    while (value && value->type && value->type->kind == IR_POINTER && value->kind != IR_VARIABLE) {
+        const bool is_address = value->kind == IR_UNARY && value->op == IR_OP_ADDRESS &&
+                                value->children[0]->kind == IR_INDEX;
+        const ir_node *sum = is_address ? value->children[0] : value;
+        if (!is_address &&
+            !(value->kind == IR_BINARY && (value->op == IR_OP_ADD || value->op == IR_OP_SUBTRACT)))
+            return NULL;
+        value = sum->children[sum->children[0]->type->kind == IR_POINTER ? 0 : 1];
+    }
+    return value && value->type && value->type->kind == IR_POINTER ? value : NULL;
+}
+
+/* The base of the read's address, as it is before the loop; NULL if it is unknown. A private
+ * pointer that is set to another pointer plus an amount has the other one's base. */
 static const ir_node *base_before(const loop_analysis *j, const ir_node *base) {
+    enum { MOST_COPIES = 8 };
     const ir_node *first = is_fixed_base(j, base) ? base : first_of_steps(j, base);
+    for (unsigned i = 0; !first && base && i < MOST_COPIES; i++) {
+        base = pointer_in(only_value(j, base));
+        first = base && is_fixed_base(j, base) ? base : base ? first_of_steps(j, base) : NULL;
+    }
     return first && can_be_spelled(j, first) ? first : NULL;
 }
 

@@ -11,19 +11,10 @@
 
 #include <assert.h>
 
-#include "analysis/base/counted_stride.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
-#include "analysis/loop/executed.h"
 #include "analysis/private/live.h"
-#include "analysis/private/triangle.h"
-
-static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
-    if (ir_contains(j->counted.body, write))
-        return executed_in_each(j, write);
-    return j->loop->kind == IR_FOR && ir_contains(j->loop->children[2], write) &&
-           executed_certainly_in(j->loop->children[2], write);
-}
+#include "analysis/private/step_sum.h"
 
 /* Is it a pointer to objects of a known size, not empty ones? */
 static bool is_pointer(const ir_type *type) {
@@ -38,45 +29,6 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
            !variable->has_other_name &&
            (analysis_header_declares(j, variable) ||
             !(declarator && ir_contains(j->loop, declarator)));
-}
-
-/* Checks a step by an inner loop. All steps of a variable must be made by iterations of one loop,
- * which is either the analysed loop or an inner one. */
-static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool is_first,
-                             private_variable *item) {
-    triangle inner;
-    if (!triangle_around(j, write, &inner) || item->variable->type->kind == IR_POINTER ||
-        (!is_first && item->inner.loop != inner.loop))
-        return false;
-    item->inner = inner;
-    return true;
-}
-
-/* Sets the sum of all steps in the loop. At most one of them may be not constant. Returns false if
- * the loop writes the variable in another way, or if the sum does not fit into an int32_t. */
-static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
-    const variable_fact *fact = variable_fact_of(j->an->facts, variable);
-    const loop_start *start = analysis_start_of(j, variable);
-    int64_t sum = 0;
-    bool is_first = true;
-    for (unsigned i = 0; i < fact->writes.count; i++) {
-        const ir_node *write = fact->writes.items[i];
-        ir_variable *stepped;
-        int64_t step;
-        if (!ir_contains(j->loop, write) || (start && write == start->node))
-            continue;
-        if (is_executed_once(j, write) ? item->inner.loop != NULL
-                                       : !is_step_of_inner(j, write, is_first, item))
-            return false;
-        is_first = false;
-        if (counted_step(write, &stepped, &step) && stepped == variable)
-            sum += step;
-        else if (item->inner.loop || item->stride ||
-                 !(item->stride = stride_added(j->loop, write, variable, &item->is_down)))
-            return false;
-    }
-    item->step = sum;
-    return sum <= INT32_MAX && sum >= -(int64_t)INT32_MAX;
 }
 
 static bool is_taken(const loop_analysis *j, const ir_variable *variable) {
@@ -96,7 +48,7 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
     if (is_taken(j, variable))
         return true;
     if ((!ir_type_is_plain_integer(variable->type) && !is_pointer(variable->type)) ||
-        !is_of_function(j, variable) || !sum_steps(j, variable, &item))
+        !is_of_function(j, variable) || !step_sum(j, &item))
         return false;
     /* if the header does not set the variable, a later execution of the loop continues with its
      * last value */
@@ -114,11 +66,11 @@ static bool is_unused_at_end(const loop_analysis *j, const ir_variable *variable
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     private_variable item = {.variable = (ir_variable *)variable};
     return variable == j->counted.counter || (declarator && ir_contains(j->loop, declarator)) ||
-           sum_steps(j, variable, &item);
+           step_sum(j, &item);
 }
 
 bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step) {
-    if (!is_step_afterwards(step) || !is_executed_once(j, step))
+    if (!is_step_afterwards(step) || !step_is_in_each(j, step))
         return false;
     const ir_variable *variable = step->children[0]->variable;
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);

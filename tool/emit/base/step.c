@@ -17,13 +17,17 @@
 static const char *stride_text(loop_text *loop, const private_variable *item) {
     const ir_type *type = item->variable->type;
     const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
-    if (!item->stride)
-        return arena_format(loop->arena, "(redcc_word)%lld", (long long)(item->step * size));
-    const char *by = loop_operand(loop, item->stride);
-    if (size != 1)
-        by = arena_format(loop->arena, "%lld * (redcc_word)%s", (long long)size, by);
-    return arena_format(loop->arena, "((redcc_word)%lld %c (redcc_word)%s)",
-                        (long long)(item->step * size), item->is_down ? '-' : '+', by);
+    const char *sum = arena_format(loop->arena, "(redcc_word)%lld", (long long)(item->step * size));
+    for (unsigned i = 0; i < item->stride_count; i++) {
+        const int64_t factor = item->strides[i].times * size;
+        const char *value = loop_operand(loop, item->strides[i].value);
+        const char sign = factor < 0 ? '-' : '+';
+        sum = factor == 1 || factor == -1
+                  ? arena_format(loop->arena, "%s %c (redcc_word)%s", sum, sign, value)
+                  : arena_format(loop->arena, "%s %c %lld * (redcc_word)%s", sum, sign,
+                                 (long long)(factor < 0 ? -factor : factor), value);
+    }
+    return item->stride_count ? arena_format(loop->arena, "(%s)", sum) : sum;
 }
 
 /** The number of inner iterations in the first outer iteration, as C; a negative number means
@@ -58,7 +62,7 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
         const char *name = origin_variable(loop->arena, item->variable);
-        if (item->stride &&
+        if (item->stride_count &&
             !by_header) /* inside the `if`: the loop iterates, so it evaluates the step */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
         if (item->inner.loop && !by_header)
@@ -79,8 +83,8 @@ const char *stepped_value(loop_text *loop, unsigned number) {
     const private_variable *item = &loop->facts->variables.privates[number];
     if (!item->is_stepped)
         return "";
-    const char *stride =
-        item->stride ? arena_format(loop->arena, "redcc__by_%u", number) : stride_text(loop, item);
+    const char *stride = item->stride_count ? arena_format(loop->arena, "redcc__by_%u", number)
+                                            : stride_text(loop, item);
     const char *turns = arena_format(loop->arena, "redcc__inner_trips_%u", number);
     return arena_format(loop->arena, " = (__typeof__(%s))(redcc__from_%u + %s * %s)",
                         origin_variable(loop->arena, item->variable), number, stride,
