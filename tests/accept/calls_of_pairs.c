@@ -3,7 +3,7 @@
 // covers: row 15, row 18
 // COMPILERS: gcc clang-19
 // INTEGERS: no
-// TILED: 42 47 75 93 112 152
+// TILED: 42 47 75 93 112 168
 #include "case.h"
 #include <math.h>
 
@@ -135,6 +135,22 @@ static double bonds(int n) {
     return sum;
 }
 
+/* A variable that a call sets by its address is as if assigned. */
+static void weigh(body *a, body *b, double *weight) {
+    a->fy += 1.0;
+    b->fy -= 1.0;
+    *weight = 0.5;
+}
+static double weighed(int n) {
+    double sum = 0.0;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        double weight;
+        weigh(&all[pair_of[t][0]], &all[pair_of[t][1]], &weight);
+        sum += weight * bond(&all[pair_of[t][0]], &all[pair_of[t][1]], 1.5);
+    }
+    return sum;
+}
+
 /* rows of arrays, a loop in the function */
 static void rows(const double *a, const double *b, double *fa, double *fb) {
     double d[3], r2 = 0.0;
@@ -246,8 +262,9 @@ int main(void) {
         by_numbers(N, all);
         vectors(N, all);
         CASE_PRINT(all);
-        double sums[2] = {in_struct(&w), 0.0};
+        double sums[3] = {in_struct(&w), 0.0, 0.0};
         sums[1] = bonds(PAIRS);
+        sums[2] = weighed(PAIRS);
         CASE_PRINT(sums);
         CASE_PRINT(all);
         of_rows(N);

@@ -178,16 +178,6 @@ void reads_another(int n, double *h) {
         add_neighbour(h, s[t]);
 }
 
-static void add_and_step(double *to, int k, double value) {
-    k++;
-    to[k] += value;
-}
-
-void subscript_changes(int n, double *h) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
-        add_and_step(h, s[t], e[t]);
-}
-
 static void add_at(double *to, int k, double value) {
     to[k] += value;
 }

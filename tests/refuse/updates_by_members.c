@@ -53,16 +53,6 @@ void moves(matrix *m, int n) {
         add_and_move(m, row[t], e[t]);
 }
 
-static void add_changed(matrix *m, int r, int k, double value) {
-    r = r / 2;
-    m->values[r * m->columns + k] += value;
-}
-
-void changed_parameter(matrix *m, int n) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
-        add_changed(m, row[t], column[t], e[t]);
-}
-
 static double add_and_tell(matrix *m, int r, int k, double value) {
     return m->values[r * m->columns + k] += value;
 }
