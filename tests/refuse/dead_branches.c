@@ -43,7 +43,8 @@ void by_values(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
         if (unlike(t) == 2)
             printf("%d\n", t);
-        h[k[t]] += v[t];
+        else
+            h[k[t]] += v[t];
     }
 }
 
