@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * A call of a loop that stays sequential is expanded whatever the reason was: only the analysis of
- * the expanded loop can tell whether that helps. Calls in expanded bodies are expanded in the next
- * round. If the loop still stays sequential, its call is put back, so that the report is about the
- * text that the user wrote.
- */
+/* An updating call in a loop that stays sequential is expanded for whatever reason the loop was
+ * refused, because only the analysis of the expanded loop shows whether the expansion helps. Calls
+ * in expanded bodies are expanded in the next round. If the loop still stays sequential, its calls
+ * are put back, so that the report describes the text that the user wrote. */
 #include "analysis/expanded.h"
 
 #include "analysis/base/dead_branches.h"
@@ -35,7 +33,8 @@ static bool take_in(arena *a, ir_unit *unit, const updating_calls *updating, exp
     return calls->count > before;
 }
 
-/* A block whose own calls were expanded, too, is exchanged with all of them. */
+/* Puts back the calls of loops without generated code, the last expansion first, because a block
+ * may contain calls that were expanded after it. Returns whether there were any. */
 static bool put_back(const analysis_result *analysed, const expanded_list *calls) {
     bool has_changed = false;
     for (unsigned i = calls->count; i-- > 0;)
@@ -46,7 +45,7 @@ static bool put_back(const analysis_result *analysed, const expanded_list *calls
     return has_changed;
 }
 
-/* Adds, to what is said of a call, why the loop is refused with the function's body in its place.
+/* Adds to the message about a call the reason why the loop is refused with the body in its place.
  */
 static void explain(arena *a, const analysis_result *expanded, analysis_result *analysed) {
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed->verdict_count + 1);

@@ -11,8 +11,8 @@ typedef struct listing {
     bool is_shared; /* a call updates an element that iterations of the loop share */
 } listing;
 
-/* Does it write a single element, and not in a local variable? In functions with loops, the caller
- * must be able to name the element. */
+/* Does the access write a single element, and not one of a local variable? If the function contains
+ * a loop, the caller must also be able to name the element. */
 static bool is_update(const listing *l, const access *a) {
     if (a->kind == ACCESS_READ || !a->lvalue || a->loop_count ||
         (!a->is_exact && ir_any(a->callee->body, ir_is_loop)))
@@ -21,7 +21,8 @@ static bool is_update(const listing *l, const access *a) {
     return !object || !variable_is_automatic(object);
 }
 
-/* The order in which arguments are evaluated does not matter if they only read. */
+/* Does the argument only read, so that the order in which arguments are evaluated does not matter?
+ */
 static bool only_reads(const listing *l, const ir_node *argument) {
     access_list list = {0};
     access_collect(l->search->an->effects, argument, &list);

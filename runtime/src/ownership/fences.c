@@ -7,8 +7,9 @@
 #include <assert.h>
 
 enum {
-    LEAST_ROOM = 1 << 16,  /* bytes on each side of a range, if nothing else is there */
-    MOST_WANTED = 1 << 10, /* inspections after a failure */
+    LEAST_ROOM = 1 << 16,  /* least number of bytes by which a range is extended on each side, if
+                            * nothing else is there */
+    MOST_WANTED = 1 << 10, /* greatest number of inspections that are required after failures */
 };
 
 bool redcc_fences_new(struct fences *fences, const redcc_loop *loop) {
@@ -48,10 +49,11 @@ void redcc_fences_fail(struct fences *fences) {
 
 /* ---- fences of an execution ------------------------------------------------------------------ */
 
-/* A range that was touched, moved to where its array or source now is, and the space around it. */
+/* A range that an inspection found, moved with its array or source to the present address, and the
+ * free space around the range. */
 struct yard {
     struct range seen, free;
-    bool is_exact; /* the source's range is known: it needs no room */
+    bool is_exact; /* the source's range is known, so it is not extended */
 };
 
 static struct yard yard_of(const struct fences *fences, const redcc_loop *loop, void *const *bases,
@@ -69,7 +71,7 @@ static struct yard yard_of(const struct fences *fences, const redcc_loop *loop, 
     return yard;
 }
 
-/* Must the two be disjoint? Numbers as in fences->of. */
+/* Must the ranges i and k be disjoint? They are numbered as in fences->of. */
 static bool may_not_meet(const redcc_loop *loop, uint32_t i, uint32_t k) {
     const uint32_t arrays = loop->array_count;
     if (i < arrays)
@@ -79,8 +81,8 @@ static bool may_not_meet(const redcc_loop *loop, uint32_t i, uint32_t k) {
                             redcc_may_meet_scalar(loop, k - arrays, i - arrays);
 }
 
-/* Bounds the space of one range by another that it may not meet. Both do the same, so that the two
- * spaces meet at one address: the other's edge if that is exact, otherwise the middle. */
+/* Bounds the free space of a range by another range with which it must not overlap. The two spaces
+ * end at the same address: at the edge of `other` if that is exact, otherwise in the middle. */
 static void bound(struct yard *yard, const struct yard *other) {
     const struct range seen = yard->seen, far = other->seen;
     if (redcc_range_empty(far))
@@ -96,7 +98,8 @@ static void bound(struct yard *yard, const struct yard *other) {
     }
 }
 
-/* The range with room on each side, as long as the range, within the space. */
+/* Extends the range on each side by its own length, or LEAST_ROOM if that is more, as far as the
+ * free space permits. */
 static struct range with_room(const struct yard *yard) {
     const size_t size = redcc_range_size(yard->seen), room = size > LEAST_ROOM ? size : LEAST_ROOM;
     const uintptr_t before = yard->seen.first - yard->free.first;
@@ -105,7 +108,7 @@ static struct range with_room(const struct yard *yard) {
                           yard->seen.end + (behind < room ? behind : room)};
 }
 
-/* Finds the fence of an array or of a source. False: there is none. */
+/* Finds the fence of array or source i. Returns false if there is none. */
 static bool find_fence(const struct fences *fences, const redcc_loop *loop, void *const *bases,
                        const redcc_extent *known, uint32_t i, struct range *fence) {
     struct yard yard = yard_of(fences, loop, bases, known, i);

@@ -6,10 +6,9 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/returns.h"
 
-enum { MOST_NODES = 2000 }; /* of a function's body */
+enum { MOST_NODES = 2000 }; /* greatest number of nodes in the function's body */
 
-/* ---- functions whose body can stand in a call's place -----------------------------------------
- */
+/* ---- functions whose bodies can replace a call ----------------------------------------------- */
 
 static unsigned count_nodes(const ir_node *node) {
     unsigned count = 1;
@@ -28,13 +27,13 @@ bool takes_address_of(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/* Can a variable of another name take its place? */
+/* Can the copied body use a variable with another name in place of this one? */
 static bool can_be_renamed(const ir_variable *variable, const ir_node *body) {
     if (ir_type_is_variably_modified(variable->type) || variable->has_other_name)
         return false;
     if (variable->storage == IR_PARAMETER)
         return true;
-    /* otherwise an attribute passes its address: cleanup */
+    /* if `&` does not take its address, an attribute may: cleanup */
     return variable->storage == IR_LOCAL && variable->type->spelling &&
            (!variable->address_taken || !ir_type_is_scalar(variable->type) ||
             takes_address_of(body, variable));
@@ -68,7 +67,8 @@ static bool can_be_copied(const ir_node *node, const ir_function *function) {
     return true;
 }
 
-/* A directive may choose other text when the output is compiled, or concern the compiler. */
+/* Is there a preprocessor directive in the range? It may select other text when the output is
+ * compiled, or may be a pragma. */
 static bool holds_directive(const ir_unit *unit, ir_range range) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (unit->directives[i].range.begin < range.end &&
@@ -77,7 +77,8 @@ static bool holds_directive(const ir_unit *unit, ir_range range) {
     return false;
 }
 
-/* f(a, b) double a, b; { ... }: arguments are converted otherwise. */
+/* Is it not an old-style definition, f(a, b) double a, b; { ... }, whose arguments are converted
+ * differently? */
 static bool has_prototype(const ir_function *function) {
     return function->type->spelling && !strstr(function->type->spelling, "()");
 }
@@ -112,7 +113,7 @@ static bool is_before(const ir_declared *declared, const ir_function *caller) {
            declared->offset < caller->range.begin;
 }
 
-/* Do the file's names in the body mean in the caller what they mean in the function? */
+/* Do the names of file-scope objects and functions in the body mean the same in the caller? */
 static bool has_known_names(const ir_unit *unit, const ir_function *caller, const ir_node *node) {
     const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
     const ir_function *called = node->kind == IR_FUNCTION ? node->function : NULL;
@@ -135,8 +136,8 @@ bool is_own_scalar(const ir_node *node) {
            !node->type->is_volatile && !node->type->is_atomic;
 }
 
-/* The only call in an arithmetic expression of numbers and variables that no function can change.
- * NULL: it has another form. */
+/* The only call in an arithmetic expression of numbers and own scalars. If the expression has
+ * another form, clears *is_plain; the result is then NULL. */
 static ir_node *call_among(const ir_node *node, bool *is_plain) {
     if (node->kind == IR_CALL)
         return (ir_node *)node;

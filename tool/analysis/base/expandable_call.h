@@ -1,23 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Calls in whose place their functions' bodies can stand (expanded_call.h). */
+/** Finds calls that their functions' bodies can replace (expanded_call.h). */
 #ifndef ANALYSIS_EXPANDABLE_CALL_H
 #define ANALYSIS_EXPANDABLE_CALL_H
 
 #include "ir/ir.h"
 
-/** The call in the statement, if its arguments assign nothing, and its function has a body in this
- *  file or its headers that can stand in the call's place: without labels, opaque parts,
- * directives, attributes, static variables, a `return` in a loop, or names of the file that mean
- * something else in the caller. NULL: there is none. Functions called in the arguments must not
- * change anything: the arguments are evaluated in their order. */
+/** The call in the statement if its arguments assign nothing, and if the function's body can
+ * replace the call; NULL otherwise. The body must be in this file or its headers, and must not
+ * contain labels, opaque parts, directives, attributes, static variables, a `return` in a loop, or
+ * names of the file that mean something else in the caller. The caller must make sure that
+ * functions called in the arguments change nothing, because the block evaluates the arguments in
+ * their order. */
 ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
                             const ir_node *statement);
 
-/** The call that is the statement, or the only one in the value that the statement assigns to an
- * own scalar, among numbers and other own scalars. NULL: the statement has another form. */
+/** The call in a statement `f(...);`, or `x = ...;` with an own scalar x and a value that contains
+ * one call, and otherwise only numbers and own scalars. NULL if the statement has another form. */
 ir_node *call_in_statement(const ir_node *statement);
 
-/** Is it a local variable that no function can change? */
+/** Is the expression an own scalar: an automatic scalar variable whose address is not taken, so
+ * that no called function can change it? */
 bool is_own_scalar(const ir_node *node);
 /** Does anything below the node take the variable's address by &? */
 bool takes_address_of(const ir_node *node, const ir_variable *variable);

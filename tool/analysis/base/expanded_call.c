@@ -24,8 +24,7 @@ static bool is_written(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/* Does the function use the parameter only to reach what it points to, as *p, p->m, or to pass it
- * on? */
+/* Does the function use the parameter p only as *p or p->m, or as an argument of another call? */
 static bool is_only_followed(const ir_node *node, const ir_variable *parameter) {
     for (unsigned i = 0; i < node->child_count; i++) {
         if (!expression_is_variable(node->children[i], parameter)) {
@@ -40,8 +39,9 @@ static bool is_only_followed(const ir_node *node, const ir_variable *parameter) 
     return true;
 }
 
-/* Does the function name the parameter only in subscripts that stay below `count`? In a row of a
- * matrix, other subscripts are undefined, though they may be defined behind a pointer. */
+/* Does the function name the parameter only as p[k] with 0 <= k < count? For a row of a matrix with
+ * `count` elements other subscripts would be undefined, although they may be defined for a pointer.
+ */
 static bool stays_inside(const ir_node *node, const ir_variable *parameter, int64_t count) {
     int64_t low, high;
     if (expression_is_variable(node, parameter))
@@ -91,7 +91,7 @@ static bool points_alike(const ir_type *from, const ir_type *to) {
     return is_address && to->kind == IR_POINTER && ir_type_equal(from->target, to->target);
 }
 
-/* May the argument stand for the parameter wherever the function names it? */
+/* May the argument replace the parameter wherever the function names it? */
 static bool can_replace(const ir_node *argument, const ir_variable *parameter,
                         const ir_node *body) {
     if (parameter->address_taken || parameter->type->is_volatile || is_written(body, parameter) ||
@@ -112,9 +112,9 @@ typedef struct copying {
     ir_function *caller;
     const ir_function *function;
     const ir_node *statement, *call;
-    ir_node **arguments; /* by parameter; NULL: a variable takes its place */
+    ir_node **arguments; /* indexed by parameter; NULL if a variable replaces the parameter */
     VECTOR(const ir_variable *) old;
-    VECTOR(ir_variable *) added; /* in the places of these */
+    VECTOR(ir_variable *) added; /* added.items[i] replaces old.items[i] */
 } copying;
 
 static ir_node *new_node(copying *c, ir_kind kind, const ir_type *type, unsigned child_count) {
@@ -168,7 +168,8 @@ static void mark(ir_node *node, ir_range range) {
         mark(node->children[i], range);
 }
 
-/* Names of constants, and operands of sizeof, may have another meaning in the caller. */
+/* Replaces a constant's name, or a sizeof, by its value: in the caller the name may mean something
+ * else. */
 static void spell_value(copying *c, ir_node *node) {
     if ((node->kind != IR_SIZEOF && node->kind != IR_NUMBER) || !(node->flags & IR_HAS_VALUE) ||
         isdigit((unsigned char)node->text[0]))
@@ -273,7 +274,8 @@ static void add_variables(const copying *c) {
 
 /* ---- the exchange ---------------------------------------------------------------------------- */
 
-/* A variable that only calls get by address: is there still one of them? */
+/* Updates address_taken of the variables that the call gets by address: if no `&` of them is left
+ * in the caller, they count as own scalars. */
 static void count_addresses(const ir_function *caller, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];

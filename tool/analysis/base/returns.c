@@ -19,13 +19,14 @@ static bool always_returns(const ir_node *node) {
     return false;
 }
 
-/* ---- may they be removed? -------------------------------------------------------------------- */
+/* ---- can they be removed? -------------------------------------------------------------------- */
 
 static bool is_decided(const ir_node *branch) {
     return !may_return(branch) || always_returns(branch);
 }
 
-/* Can the returns of the statement be removed, if other statements follow it (`is_followed`)? */
+/* Can the `return` statements in this statement be removed? `is_followed` says that other
+ * statements come after it. */
 static bool is_structured(const ir_node *node, bool is_followed) {
     if (node->kind == IR_RETURN || !may_return(node))
         return true;
@@ -67,7 +68,7 @@ static ir_node *new_like(const removal *r, const ir_node *like, ir_kind kind, co
     return node;
 }
 
-/* result = value; or value; or an empty block */
+/* The replacement of a `return`: `result = value;`, `value;` or an empty block. */
 static ir_node *without_return(const removal *r, const ir_node *node) {
     ir_node *value = ir_child(node, 0);
     if (!value || (!r->result && !ir_has_effect(value)))
@@ -86,7 +87,8 @@ static ir_node *without_return(const removal *r, const ir_node *node) {
 
 static void remove_below(const removal *r, ir_node *node);
 
-/* A block of the branch (NULL: none), and of the statements of `block` from number `first` on. */
+/* A block of `branch`, if that is not NULL, and the statements of `block` from number `first` on.
+ */
 static ir_node *branch_with_rest(const removal *r, ir_node *branch, const ir_node *block,
                                  unsigned first) {
     ir_node *all = new_like(r, block, IR_BLOCK, NULL, 1 + block->child_count - first);
@@ -98,7 +100,8 @@ static ir_node *branch_with_rest(const removal *r, ir_node *branch, const ir_nod
     return all;
 }
 
-/* Moves what follows statement number `at`, an `if`, into the branch that does not return. */
+/* Statement number `at` of the block is an `if`. Moves the statements after it into its branch that
+ * does not return. */
 static void move_rest(const removal *r, ir_node *block, unsigned at) {
     ir_node *old = block->children[at];
     const bool then_returns = always_returns(old->children[1]);

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The `return` statements of a function's body that is put in the place of a call. */
+/** Removes the `return` statements from a function's body that replaces a call. */
 #ifndef ANALYSIS_RETURNS_H
 #define ANALYSIS_RETURNS_H
 
 #include "ir/ir.h"
 
-/** Can each `return` be removed? None is in a loop or a switch. If statements follow an `if`, each
- *  of its branches always returns, or never. */
+/** Can all `return` statements be removed? That requires that none is in a loop or a `switch`, and
+ *  that each branch of an `if` with statements after it either always returns or never does. */
 bool returns_are_structured(const ir_node *body);
 
-/** Removes them from a copy of such a body: what follows a conditional `return` becomes the other
- *  branch. Each sets `result` to its value (NULL: no value is needed). */
+/** Removes the `return` statements from a copy of such a body. The statements after a conditional
+ *  `return` become the `if` statement's other branch. In place of each `return` its value is
+ *  assigned to `result`, unless that is NULL. */
 void returns_take_out(arena *a, ir_node *body, ir_variable *result);
 
 #endif
