@@ -215,7 +215,8 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
-/* An iteration has left a fence: it and all later ones were executed in order. */
+/* Notes that an iteration left a fence, so that the last `rest` iterations were executed in order.
+ */
 static void note_stray(struct execution *execution, redcc_int rest) {
     const redcc_loop *loop = execution->call.request.loop;
     redcc_fences_fail(&execution->run.fences);
@@ -225,8 +226,8 @@ static void note_stray(struct execution *execution, redcc_int rest) {
                               memory_order_relaxed);
 }
 
-/* If threads find their iterations during execution, the number of executed iterations is known
- * only afterwards. */
+/* For methods whose threads find their iterations during execution: sets the numbers of executed
+ * iterations, which are known only afterwards. */
 static void count_selected(struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)

@@ -42,14 +42,14 @@ struct execution {
     struct barrier barrier;
 };
 
-/** Are the execution's owners kept for the next one, and not a plan? */
+/** Does the loop keep the owners of this execution for the next one, instead of a plan? */
 static inline bool redcc_keeps_owners(const struct execution *execution) {
     const struct call *call = &execution->call;
     return call->method ? call->method->selects && call->request.loop->flags & REDCC_FENCED
                         : redcc_goes_directly(&execution->advice);
 }
 
-/** One thread's part: a sub-structure for each stage. */
+/** One thread's part in an execution: one structure for each stage. */
 struct thread_state {
     alignas(64) struct runner
         runner; /* stage run; first, because redcc_next converts a pointer to it */

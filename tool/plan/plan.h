@@ -49,9 +49,9 @@ typedef struct execution_plan {
                        * after it */
     bool may_begin;   /* the first iterations may be executed in order before the inspection, and
                        * the remaining ones as a separate loop */
-    bool may_end_in_order; /* the last iterations may be executed in order after the first ones were
-                            * executed by owners */
-    bool is_over_blocks;   /* its inspection is short, even if its iterations are long */
+    bool may_end_in_order; /* the first iterations may be executed by owners, and the remaining ones
+                              in order (REDCC_FENCED) */
+    bool is_over_blocks;   /* inspection is short, even if iterations are long */
     int64_t work;          /* operations of an iteration (work.h) */
     const array_section *sections; /* by array (sections.h), or NULL if the loop has none */
     result_order order;            /* the order that the results keep */

@@ -199,21 +199,21 @@ enum {
      * inspected. The remaining iterations are then executed as the same loop with a later first
      * iteration. */
     REDCC_BEGINS = 67108864,
-    /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
-     *  iterations are. */
+    /** The slice records the rows of inner loops as blocks, so that an inspection is short even if
+     *  iterations are long. */
     REDCC_BLOCKS = 134217728,
-    /** Its executor may execute the first iterations by owners and the others in order: no value is
-     * read before the loop, or kept until its end, that an update might change. So whether an
-     * iteration stays within its fences (REDCC_SELECT) need not be known before the loop. */
+    /** The first iterations may be executed by owners and the remaining ones in order, because no
+     *  value that an update might change is read before the loop or kept until its end. So threads
+     *  may find out during the execution (REDCC_SELECT) which iteration first leaves a fence. */
     REDCC_FENCED = 268435456
 };
 
 enum {
-    /** A result of redcc_next: the class of each iteration first, first + 1, ... < last must be
-     * written to the bytes at `entry` (at most REDCC_SELECTED of them) before the next call.
-     * `window` is the range that the thread owns, `owner` the fence of each array's updates,
-     * `sources` that of each source's reads. At the first iteration that leaves a fence, `last` is
-     * set to it, and no later iteration is classified. */
+    /** Result of redcc_next. Before the next call, the caller must write the class of each
+     * iteration from `first` to before `last` (at most REDCC_SELECTED iterations) to the bytes at
+     * `entry`. `window` has the elements that the thread owns, `owner` the fences of arrays, and
+     * `sources` those of sources. If an iteration leaves a fence, the caller sets `last` to that
+     * iteration, and classifies no later one. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
     /** Result of redcc_next: the thread must execute the tile `variant.tile`, which has at most

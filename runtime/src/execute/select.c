@@ -92,9 +92,10 @@ static redcc_int length_until(uint64_t ends, unsigned bit) {
     return length < left ? length : left;
 }
 
-/* Is each iteration of the word to be a run of its own? Each run ends by about one mispredicted
- * branch, which takes as long as the beginnings of six runs. But each run of lanes, or with
- * prefetches, begins by a call. All iterations must have one flag. */
+/* Is it faster to hand out each executed iteration of the word as a separate run? The end of a
+ * longer run costs about one mispredicted branch, which takes as long as the beginnings of six
+ * runs. With lanes or prefetches it is not faster, because each run then begins with a call. All
+ * iterations must have the same value of `follows`. */
 static bool is_scattered(const struct class_bits *bits, const redcc_variant *variant) {
     const uint64_t executed = bits->executed;
     const int runs = __builtin_popcountll(executed & ~(executed << 1));
@@ -102,7 +103,8 @@ static bool is_scattered(const struct class_bits *bits, const redcc_variant *var
            (bits->follows == 0 || bits->follows == executed);
 }
 
-/* Writes the iterations of a word as runs of one: without a branch that depends on the classes. */
+/* Writes each executed iteration of the word as a separate run, without branches that depend on the
+ * classes. Returns the number of runs. */
 static size_t take_each(const struct class_bits *bits, redcc_int first, bool hooked,
                         redcc_iterations *to) {
     size_t runs = 0;

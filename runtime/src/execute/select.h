@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Execution by owners without an inspection that assigns iterations to threads: each thread scans
- * all iterations, block by block. The iterations of a block are first classified by whether they
- * touch an element that the thread owns (REDCC_SELECT); the matching ones form the runs that it
- * executes. The first iteration that leaves a fence (ownership/fences.h) ends all threads'
- * selections.
+ * Execution by owners without an inspection that assigns iterations to threads. Each thread scans
+ * all iterations, block by block. It first classifies the iterations of a block by whether they
+ * touch an element that the thread owns (REDCC_SELECT). Those that do form the runs that the thread
+ * executes. All threads stop at the first iteration that leaves a fence (ownership/fences.h).
  */
 #ifndef REDCC_EXECUTE_SELECT_H
 #define REDCC_EXECUTE_SELECT_H
@@ -26,17 +25,17 @@ enum { REDCC_SELECTED_WORDS = REDCC_SELECTED / 64 };
 
 /** One thread's selection of iterations. */
 struct selection {
-    redcc_owner *window;  /* [arrays] the range that the thread owns */
-    redcc_int trip;       /* iterations of the loop */
-    redcc_int idle_begin; /* iterations in [idle_begin, idle_end) that touch nothing */
-    redcc_int idle_end;   /* are executed by this thread */
-    redcc_int executed;   /* number of iterations so far */
-    redcc_int end;   /* before which all iterations stayed within the fences, as far as they are
-                      * classified; up to `trip` */
+    redcc_owner *window;  /* [array_count] the elements that the thread owns */
+    redcc_int trip;       /* number of iterations of the loop */
+    redcc_int idle_begin; /* the thread executes those iterations in [idle_begin, idle_end) that
+                           * touch nothing */
+    redcc_int idle_end;
+    redcc_int executed; /* number of iterations executed so far */
+    redcc_int end;      /* the first iteration that leaves a fence; `trip` if none is found yet */
     bool asked;      /* the classes of iterations from worker->first on were requested and are not
                         evaluated yet */
-    redcc_int taken; /* number of classified iterations already handed out or skipped */
-    bool follows;    /* the flag of the last runs handed out (redcc_variant) */
+    redcc_int taken; /* number of classified iterations that were already handed out or skipped */
+    bool follows;    /* the value of redcc_variant.follows for the runs that were handed out last */
     unsigned char class[REDCC_SELECTED];
     struct class_bits bits[REDCC_SELECTED_WORDS]; /* the classes, once they are evaluated */
 };

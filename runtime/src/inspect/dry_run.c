@@ -20,7 +20,7 @@
 
 #include <assert.h>
 
-/* Begins a run from the first iteration, with nothing touched or read. */
+/* Begins a run with the first iteration. Nothing is touched or read yet. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
     struct dry_run *run = &inspector->dry_run;
     for (uint32_t array = 0; array < inspection->partition.array_count; array++)

@@ -238,11 +238,11 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* Takes a sample. All threads take part if the subscripts are likely to stay, or no plan is needed,
- * and if the credit covers starting the threads: a plan construction can then follow at once. An
- * overdraft covers this if it is small compared with an execution, and a dry run of twice the
- * assumed length. Otherwise one thread takes the sample and waits for no other: most light loops
- * turn out not to be worth more. */
+/* Takes a sample. If all threads take part, a plan construction can follow immediately. They do if
+ * the subscripts are likely to stay or no plan is needed, and if the credit covers starting the
+ * threads. An overdraft covers the cost if it is small compared with an execution; it also covers a
+ * dry run of twice the assumed length. Otherwise one thread takes the sample alone: most short
+ * loops turn out not to be worth more. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;

@@ -8,9 +8,9 @@
 
 #include "emit/slice/access_log.h"
 
-/** Does the slice load memory after an update in the inner loop, which the update might change? A
- * loop that needs a dry run logs each update before it makes the next load, so it repeats such an
- * inner loop as the program does, not at once. */
+/** Does the slice load memory after an update in the inner loop, so that the update might change
+ * it? If the loop needs a dry run, each update must be logged before the next load. The slice then
+ *  repeats such an inner loop iteration by iteration, instead of logging its rows at once. */
 bool loads_between_updates(const loop_text *loop, const ir_node *inner);
 
 /** Is the loop the outermost of the loops that visit only their first and last iterations? */
