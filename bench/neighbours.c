@@ -5,8 +5,9 @@
  *
  *    neighbours ITERATIONS EXECUTIONS
  *
- * prints the seconds of all executions, including the time between them, a hash of the results'
- * bits, and how many times per second a thread lost its core (involuntary context switches).
+ * prints the total time of all executions in seconds (with the time between them), a hash of the
+ * results' bits, and how many times per second a thread lost its core (involuntary context
+ * switches).
  */
 #include <math.h>
 #include <stdint.h>

@@ -161,7 +161,7 @@ static void by_constants(int n) {
     }
 }
 
-/* ---- assert in the loop: a statement expression under gcc ---- */
+/* ---- assert before and after loops: under gcc it is a statement expression ---- */
 
 static int beside_assertions(int n, const int *first, const int *to, double *restrict out) {
     int i, j, last = -1;

@@ -107,8 +107,8 @@ int main(void) {
         usleep(100);
         sums[number] = pairs(&pot, block, block + ROWS, N);
         keep(number++);
-        table.inverse = ENTRIES; /* only the table's last elements are rows */
-        table.values = block + ROWS - ENTRIES;
+        table.inverse = ENTRIES;
+        table.values = block + ROWS - ENTRIES; /* only its last entries overlap the updated rows, block + ROWS onwards */
         usleep(100);
         sums[0] += pairs(&pot, block + ROWS, block + ROWS, N);
     }

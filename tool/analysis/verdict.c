@@ -336,7 +336,8 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     loop_loads_take_out(loads);
     const loop_verdict loading = analysed(an, function, loop, NULL, exits, loads);
     loop_loads_put_back(loads);
-    /* without own elements, only the array's name has changed */
+    /* The new analysis was to find own elements. If it found none, it differs from the first one
+     * only in the name of the array, so its verdict is not used. */
     return may_be_own && (loading.kind != VERDICT_TRANSFORM || !loading.facts->variables.own_count)
                ? found
                : loading;

@@ -347,7 +347,8 @@ static const char *quote_folder(session *s, const translation *t) {
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
     if (t->is_input)
-        return; /* the text is compiled from standard input, and headers are searched as before */
+        return; /* the translated text is also compiled from standard input, so the compiler looks
+                 * for headers in the same folders as for the original */
     words_add(s->memory, list, "-iquote");
     words_add(s->memory, list, quote_folder(s, t));
     /* Separates that folder from the user's first -I: if the two are one folder, the compiler would

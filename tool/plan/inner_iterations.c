@@ -277,8 +277,9 @@ static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_var
     return is_set && is_behind && !variable->address_taken;
 }
 
-/** Moves the beginning of the rest to where all values are known that determine the rows through
- * which the nested loop steps. */
+/** Moves the beginning of the rest behind the statements that set the values on which `row`
+ * depends: the nested loop's bounds, the first value of the variable that it steps, and the other
+ * variables in `row`. Returns false if one of them may be unknown there. */
 static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped) {

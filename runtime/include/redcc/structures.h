@@ -181,10 +181,10 @@ enum {
     REDCC_BINS_CHECKED = 524288,
     /** redcc_attempt.threads is the number of threads that the program requests. */
     REDCC_TEAM = 1048576,
-    /** A loop over pairs: the counter of its inner loop is above that of the outer loop. Its
-     * executor accepts REDCC_TILE. */
+    /** A loop over pairs: the counter of its inner loop is above that of the outer loop, or below
+     * it with REDCC_TILES_BELOW. Its executor accepts REDCC_TILE. */
     REDCC_TILES = 2097152,
-    /** As REDCC_TILES, for an inner counter below the outer one. */
+    /** Together with REDCC_TILES: the inner counter is below the outer one. */
     REDCC_TILES_BELOW = 4194304,
     /** With REDCC_BINNED: the slice records no updates, so that no plan can be constructed. */
     REDCC_NO_INSPECTOR = 8388608,

@@ -306,8 +306,8 @@ void redcc_team_begun(int threads) {
 static atomic_int members; /* number of threads (members) that exist because they have executed
                               regions, without the first threads of these regions */
 
-/* The ids of the members that ended last; 0: unused. The system may not have removed these threads
- * yet, because they still run destructors, or the machine is busy. */
+/* Thread ids of the members that most recently began to exit; an entry of 0 is unused. The kernel
+ * may still count these threads, because they are running destructors or the machine is busy. */
 enum { LEAVING = 256 };
 static atomic_int leaving[LEAVING];
 static atomic_uint left;

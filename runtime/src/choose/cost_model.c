@@ -14,8 +14,8 @@ static double by_owners(const struct findings *it) {
                                       : 1);
 }
 
-/* Seconds per iteration for beginning runs of iterations. The runs are assumed to be divided evenly
- * among the threads. */
+/* The cost of starting new runs of iterations (`runs` in cost_model.h), in seconds per iteration.
+ * The runs are assumed to be divided evenly among the threads. */
 static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }

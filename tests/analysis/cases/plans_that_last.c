@@ -164,7 +164,7 @@ void searched(int n, double *restrict f, const int *start, const int *col, const
     }
 }
 
-/* The next position depends on the value found. */
+/* Unlike in `find`, each next position is read from an array, so the range of positions is not known in advance. */
 static int follow(const int *next, const int *col, int at, int column) {
     while (col[at] != column && next[at] > at)
         at = next[at];

@@ -6,7 +6,8 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** An address that the inspector records before a statement. */
+/** The address of an updated row or of a source, which the inspector records just before the
+ *  statement `place`. */
 typedef struct slice_touch {
     const ir_node *row;
     unsigned loop_count; /* as in loop_source */

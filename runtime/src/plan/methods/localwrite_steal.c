@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE with work stealing. Each thread owns most of an equal share of the arrays. The rest of
- * each share is cut into stealable blocks, which no thread owns. Threads that finish early take
- * these blocks one by one, the larger ones first. So no thread waits long for another thread that
- * had more expensive iterations or lost its core for a while.
+ * LOCALWRITE with work stealing. The arrays are cut into equal shares, one for each thread. Each
+ * thread owns most of its share; the rest is cut into stealable blocks, which no thread owns.
+ * Threads that finish early take these blocks one by one, the larger ones first. So no thread waits
+ * long for another thread that had more expensive iterations or lost its core for a while.
  *
  * A block is executed by one thread, in ascending order, so each element gets its contributions in
- * the order of the loop. The overhead is that iterations which write to several blocks are
- * replicated.
+ * the order of the loop. The price is that an iteration that writes to several parts (threads' own
+ * parts or blocks) is executed once for each.
  */
 #include "plan/methods/localwrite.h"
 
