@@ -172,8 +172,24 @@ __attribute__((noinline)) static int by_function(int n) {
     return t;
 }
 
+static int get(int t, int *i) {
+    *i = k[t];
+    return *i >= -5;
+}
+
+/* A function of the condition writes the variable through its address. */
+__attribute__((noinline)) static int by_written(int n) {
+    int i;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (!get(t, &i))
+            return t;
+        h[i < 0 ? 5 : i] += w[t];
+    }
+    return n;
+}
+
 static void run(const char *name) {
-    int results[10];
+    int results[11];
     by_assert(N);
     results[5] = by_message(N);
     results[6] = warnings;
@@ -186,6 +202,7 @@ static void run(const char *name) {
     results[7] = by_assigned(N);
     results[8] = by_assigned_inside(N);
     results[9] = by_function(N);
+    results[10] = by_written(N);
     case_print(name, results, sizeof results);
     case_print("h", h, sizeof h);
     fflush(stdout);

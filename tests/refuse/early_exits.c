@@ -22,6 +22,18 @@ void by_effect(int n, const int *k, double *h, const double *v) {
     }
 }
 
+void tick(int *);
+
+void by_header(int n, const int *k, double *h, const double *v) {
+    int ticks = 0;
+    for (int t = 0; t < n; t++, tick(&ticks)) // EXPECT: refuse impure-call
+        h[k[t]] += v[t];
+    for (int t = n; t-- > 0; tick(&ticks)) // EXPECT: refuse impure-call
+        h[k[t]] += v[t];
+    for (const int *p = k; p < k + n; p++, tick(&ticks)) // EXPECT: refuse impure-call
+        h[*p] += 1;
+}
+
 int state;
 
 void by_global(int n, const int *k, double *h, const double *v) {

@@ -279,7 +279,22 @@ static counted_result recognise_stepping(const ir_node *loop, counted_loop *coun
     return check(counted, loop, NULL);
 }
 
+static const ir_node *call_in(const ir_node *node) {
+    const ir_node *call = node->kind == IR_CALL ? node : NULL;
+    for (unsigned i = 0; i < node->child_count && !call; i++)
+        call = call_in(node->children[i]);
+    return call;
+}
+
 static counted_result recognise_for(const ir_node *loop) {
+    const ir_node *call = call_in(loop->children[2]); /* generated code does not repeat it */
+    if (call)
+        return not_counted(REASON_IMPURE_CALL, call,
+                           call->children[0]->kind == IR_FUNCTION
+                               ? call->children[0]->function->name
+                               : "a function");
+    if (ir_has_kind(loop->children[2], IR_OPAQUE))
+        return not_counted(REASON_TRIP_COUNT, loop->children[2], NULL);
     const ir_node *increment = expression_of(loop->children[2]);
     const ir_node *condition = expression_of(loop->children[1]);
     counted_loop counted = {.body = loop->children[3]};

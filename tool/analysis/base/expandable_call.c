@@ -87,7 +87,7 @@ static bool can_stand_in(const ir_unit *unit, const ir_function *function) {
     if (!function || !function->body || function->linkage.import || function->is_variadic ||
         function->has_errors || function->has_other_attributes || function->linkage.is_weak ||
         function->linkage.is_renamed || function->is_noreturn || function->is_from_system ||
-        !has_prototype(function) ||
+        !has_prototype(function) || function->type->target->is_const ||
         (function->is_in_main_file && holds_directive(unit, function->body->range)))
         return false;
     for (unsigned i = 0; i < function->parameter_count; i++)

@@ -8,9 +8,9 @@
 /** The call in the statement if its arguments assign nothing, and if the function's body can
  * replace the call; NULL otherwise. The body must be in this file or its headers, and must not
  * contain labels, opaque parts, directives, attributes, static variables, a `return` in a loop, or
- * names of the file that mean something else in the caller. The caller must make sure that
- * functions called in the arguments change nothing, because the block evaluates the arguments in
- * their order. */
+ * names of the file that mean something else in the caller. The result type must not be const. The
+ * caller must make sure that functions called in the arguments change nothing, because the block
+ * evaluates the arguments in their order. */
 ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
                             const ir_node *statement);
 

@@ -178,7 +178,7 @@ static bool has_branch_of_own_bytes(const ir_node *statement, const ir_node *con
 
 static void add(search *s, ir_node *statement, const ir_node *condition, bool is_negated) {
     loop_exits *found = s->found;
-    const bool is_kept = ir_any(condition, assigns);
+    const bool is_kept = !expression_is_plain(condition); /* a call may write variables, too */
     if (found->count == LOOP_MOST_EXITS || ir_any(condition, is_beyond_evaluation) ||
         !has_own_bytes(statement) ||
         (is_kept && (is_negated || !has_branch_of_own_bytes(statement, condition)))) {
