@@ -263,12 +263,38 @@ static bool split_start(const ir_node *loop, counted_loop *counted) {
                                          : counted_split_initialisation(loop, start, counted);
 }
 
+static const ir_node *call_in(const ir_node *node) {
+    const ir_node *call = node->kind == IR_CALL ? node : NULL;
+    for (unsigned i = 0; i < node->child_count && !call; i++)
+        call = call_in(node->children[i]);
+    return call;
+}
+
+/* Does the header's third part do something besides steps, which generated code would not repeat?
+ * If so, stores the reason. */
+static bool has_other_work(const ir_node *part, counted_result *result) {
+    const ir_node *call = call_in(part);
+    if (call)
+        *result =
+            not_counted(REASON_IMPURE_CALL, call,
+                        call->children[0]->kind == IR_FUNCTION ? call->children[0]->function->name
+                                                               : "a function");
+    else if (ir_has_kind(part, IR_OPAQUE))
+        *result = not_counted(REASON_TRIP_COUNT, part, NULL);
+    else
+        return false;
+    return true;
+}
+
 /* Recognises a loop whose condition steps the counter: for (i = n; --i >= 0;), while (n--), do ...
  * while (--n). Nothing else in the header may step it. */
 static counted_result recognise_stepping(const ir_node *loop, counted_loop *counted) {
     const char *name = counted->counter->name;
     const char *written = NULL;
     if (loop->kind == IR_FOR) {
+        counted_result refused;
+        if (has_other_work(loop->children[2], &refused))
+            return refused;
         if (!split_start(loop, counted))
             return not_counted(REASON_TRIP_COUNT, loop->children[0], name);
         if (variable_is_written_in(loop->children[2], counted->counter))
@@ -279,22 +305,7 @@ static counted_result recognise_stepping(const ir_node *loop, counted_loop *coun
     return check(counted, loop, NULL);
 }
 
-static const ir_node *call_in(const ir_node *node) {
-    const ir_node *call = node->kind == IR_CALL ? node : NULL;
-    for (unsigned i = 0; i < node->child_count && !call; i++)
-        call = call_in(node->children[i]);
-    return call;
-}
-
 static counted_result recognise_for(const ir_node *loop) {
-    const ir_node *call = call_in(loop->children[2]); /* generated code does not repeat it */
-    if (call)
-        return not_counted(REASON_IMPURE_CALL, call,
-                           call->children[0]->kind == IR_FUNCTION
-                               ? call->children[0]->function->name
-                               : "a function");
-    if (ir_has_kind(loop->children[2], IR_OPAQUE))
-        return not_counted(REASON_TRIP_COUNT, loop->children[2], NULL);
     const ir_node *increment = expression_of(loop->children[2]);
     const ir_node *condition = expression_of(loop->children[1]);
     counted_loop counted = {.body = loop->children[3]};
@@ -304,8 +315,12 @@ static counted_result recognise_for(const ir_node *loop) {
     if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *all = increment;
-    if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA)
+    if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA) {
+        counted_result refused;
+        if (has_other_work(all, &refused))
+            return refused;
         increment = own_increment(loop, increment, condition);
+    }
     if (!increment)
         return not_counted(REASON_TRIP_COUNT, all, NULL);
     counted.increment = increment;
