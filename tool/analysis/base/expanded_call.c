@@ -14,16 +14,6 @@
 
 /* ---- arguments ------------------------------------------------------------------------------- */
 
-static bool is_written(const ir_node *node, const ir_variable *variable) {
-    const ir_node *written = expression_written(node);
-    if (written && expression_is_variable(written, variable))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_written(node->children[i], variable))
-            return true;
-    return false;
-}
-
 /* Does the function use the parameter p only as *p or p->m, or as an argument of another call? */
 static bool is_only_followed(const ir_node *node, const ir_variable *parameter) {
     for (unsigned i = 0; i < node->child_count; i++) {
@@ -94,8 +84,8 @@ static bool points_alike(const ir_type *from, const ir_type *to) {
 /* May the argument replace the parameter wherever the function names it? */
 static bool can_replace(const ir_node *argument, const ir_variable *parameter,
                         const ir_node *body) {
-    if (parameter->address_taken || parameter->type->is_volatile || is_written(body, parameter) ||
-        !stays(argument, false))
+    if (parameter->address_taken || parameter->type->is_volatile ||
+        variable_is_written_in(body, parameter) || !stays(argument, false))
         return false;
     if (points_alike(argument->type, parameter->type))
         return argument->kind == IR_VARIABLE || is_only_followed(body, parameter) ||

@@ -92,16 +92,12 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 
 /* ---- conditions ------------------------------------------------------------------------------ */
 
-static bool assigns(const ir_node *node) {
-    return node->kind == IR_ASSIGN || ir_is_increment(node);
-}
-
 /* Does the node forbid evaluating the condition separately? Assignments to automatic variables do
  * not, as in `if ((p = next[i]) < 0)`. Calls are analysed like the loop's other calls. */
 static bool is_beyond_evaluation(const ir_node *node) {
-    if (assigns(node))
-        return node->children[0]->kind != IR_VARIABLE ||
-               !variable_is_automatic(node->children[0]->variable);
+    const ir_node *written = expression_written(node);
+    if (written)
+        return written->kind != IR_VARIABLE || !variable_is_automatic(written->variable);
     return node->kind == IR_OPAQUE;
 }
 
