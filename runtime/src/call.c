@@ -370,8 +370,8 @@ static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *
     if (executions > 0)
         state = redcc_state_of(loop);
     enum reason reason;
-    if (state && redcc_loop_acquire(state, loop, false,
-                                    &reason)) { /* fails if another thread is executing the loop */
+    /* fails if another thread is executing the loop */
+    if (state && redcc_loop_acquire(state, loop, false, &reason)) {
         redcc_note_sequential(&state->reported.statistics, trip, seconds);
         redcc_inform_auto(state, loop,
                           &(struct outcome){.result = RESULT_SEQUENTIAL,
@@ -451,8 +451,8 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
                  int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
-    const bool forked =
-        redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
+    /* must precede any use of memory allocated by the parent process */
+    const bool forked = redcc_is_forked();
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);

@@ -37,8 +37,8 @@ struct execution {
     enum stage stage;   /* the next stage of all threads; set at a barrier */
     enum reason reason; /* why there is no plan, or why the last iterations of a binned loop were
                            executed sequentially */
-    double
-        woken; /* time in seconds at which the thread with the highest number arrived; 0: not yet */
+    /* time in seconds at which the thread with the highest number arrived; 0: not yet */
+    double woken;
     struct barrier barrier;
 };
 
@@ -51,8 +51,8 @@ static inline bool redcc_keeps_owners(const struct execution *execution) {
 
 /** One thread's part in an execution: one structure for each stage. */
 struct thread_state {
-    alignas(64) struct runner
-        runner; /* stage run; first, because redcc_next converts a pointer to it */
+    /* stage run; first, because redcc_next converts a pointer to it */
+    alignas(64) struct runner runner;
     struct execution *execution;
     int thread;
     int threads;

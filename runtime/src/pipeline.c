@@ -12,8 +12,8 @@
 static enum stage refuse(struct execution *execution, enum reason reason) {
     assert(reason != REASON_NONE);
     execution->reason = reason;
-    if (reason !=
-        REASON_DEADLINE) /* after a deadline, the route is needed to tell how far it got */
+    /* after a deadline, the route is needed to tell how far it got */
+    if (reason != REASON_DEADLINE)
         execution->inspection.route = ROUTE_SERIAL;
     return STAGE_OVER;
 }

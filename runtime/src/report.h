@@ -52,8 +52,8 @@ struct last_execution {
 /** Costs of parallel executions other than time. */
 struct extra_work {
     size_t bytes; /* size of the largest plan, or the most memory used for bins */
-    redcc_int
-        executed; /* number of executed iterations; each counts once per thread that executes it */
+    /* number of executed iterations; each counts once per thread that executes it */
+    redcc_int executed;
 };
 
 /** Timings of the original loop. */

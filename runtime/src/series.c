@@ -21,8 +21,8 @@
 
 enum {
     BLOCK_OPERANDS = 8192 - 8, /* an operand_block with its pointers takes less than 64 KiB */
-    HEAD =
-        offsetof(redcc_series_part, value) / sizeof(double) /* size of a part's head, in operands */
+    /* size of a part's head, in operands */
+    HEAD = offsetof(redcc_series_part, value) / sizeof(double)
 };
 
 /* A block of memory for operands; written by one thread. */

@@ -8,14 +8,14 @@
 #include "plan/method.h"
 
 struct settings {
-    const struct method
-        *method;       /* the named method, or the one that REDCC_VALIDATE implies; NULL: auto */
-    int parameter;     /* the method's parameter */
-    bool order_given;  /* REDCC_ORDER is set */
-    redcc_order order; /* the order that REDCC_ORDER names, if order_given */
-    bool compensated;  /* REDCC_SUM */
-    bool validate;     /* REDCC_VALIDATE */
-    bool watch;        /* REDCC_WATCH: track writes if possible */
+    /* the named method, or the one that REDCC_VALIDATE implies; NULL: auto */
+    const struct method *method;
+    int parameter;                  /* the method's parameter */
+    bool order_given;               /* REDCC_ORDER is set */
+    redcc_order order;              /* the order that REDCC_ORDER names, if order_given */
+    bool compensated;               /* REDCC_SUM */
+    bool validate;                  /* REDCC_VALIDATE */
+    bool watch;                     /* REDCC_WATCH: track writes if possible */
     enum prefetch_setting prefetch; /* REDCC_PREFETCH */
     enum lanes_setting lanes;       /* REDCC_LANES */
     size_t memory_limit;            /* bytes; 0: none */

@@ -22,8 +22,8 @@ typedef struct item {
     const char *value; /**< the next word if the option takes one; else NULL */
     unsigned meaning;  /**< enum option_meaning; 0 for inputs and options not in the table */
     input_kind kind;
-    const char
-        *language; /**< for an input: the language set by -x; NULL: the file's name decides */
+    /** for an input: the language set by -x; NULL: the file's name decides */
+    const char *language;
 } item;
 
 typedef struct command {

@@ -62,9 +62,8 @@ struct compiler_facts {
 struct header_facts {
     VECTOR(const char *) pragmas;
     VECTOR(ir_inclusion) inclusions;
-    VECTOR(const char *)
-    runtime_names; /* includes the names found in the main file and in
-                    * options */
+    /* includes the names found in the main file and in options */
+    VECTOR(const char *) runtime_names;
 };
 
 typedef struct converter {

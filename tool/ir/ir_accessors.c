@@ -6,10 +6,8 @@
 
 #include "ir/ir_words.h"
 
-enum {
-    MOST_NODES = 200
-}; /* nodes of one address. Nested accessor calls in arguments can
-    * multiply them */
+/* nodes of one address. Nested accessor calls in arguments can multiply them */
+enum { MOST_NODES = 200 };
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
 

@@ -37,9 +37,9 @@ struct redcc_series_part {
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part
-        *part;     /**< the last part of the current iteration; NULL: the iteration has none yet */
-    double *begin; /**< the first operand in `part`; NULL: the part is complete */
+    /** the last part of the current iteration; NULL: the iteration has none yet */
+    redcc_series_part *part;
+    double *begin;     /**< the first operand in `part`; NULL: the part is complete */
     double *at, *end;  /**< address for the next operand, and the end of the free memory there */
     double *block_end; /**< the end of the memory block that `at` points into */
     int adds;          /**< the thread adds operands directly and does not store them */
@@ -50,8 +50,8 @@ struct redcc_series_writer {
     int added;    /**< the thread has added an operand */
     redcc_int next;           /**< operands of iteration `next` and later iterations are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
-    struct operand_block *first,
-        *block; /**< the thread's memory blocks: the first one, and the one that `at` points into */
+    /** the thread's memory blocks: the first one, and the one that `at` points into */
+    struct operand_block *first, *block;
 };
 
 /** Initialises this thread's writer of series number `number` of the loop. */

@@ -102,8 +102,8 @@ typedef struct redcc_record {
     redcc_u32 digest[2];
     redcc_code own;
     redcc_size callee_count;
-    const struct redcc_callee
-        *callees; /**< the functions that it calls, with the addresses that this object calls */
+    /** the functions that it calls, with the addresses that this object calls */
+    const struct redcc_callee *callees;
 } redcc_record;
 
 typedef struct redcc_callee {
@@ -285,8 +285,8 @@ struct redcc_hook;
 typedef struct redcc_owner {
     const char *first;
     redcc_size size;
-    const unsigned char
-        *map;              /* the owner of each unit, the first of which is at `first`; 0: no map */
+    /* the owner of each unit, the first of which is at `first`; 0: no map */
+    const unsigned char *map;
     redcc_word reciprocal; /* replaces the division by `unit` (redcc_quotient); 0: divide */
     redcc_u32 self;
     redcc_u32 unit;          /* with a map: bytes of a unit */
@@ -348,8 +348,8 @@ typedef struct redcc_worker {
     int outside;               /* the current iteration has a touch that made an entry */
     redcc_int alike; /* number of consecutive iterations, since the last flush, that touched only
                         the range; negative in a dry run */
-    redcc_extent
-        *sources; /* this thread's copies of the sources' ranges; indexed as redcc_loop.sources */
+    /* this thread's copies of the sources' ranges; indexed as redcc_loop.sources */
+    redcc_extent *sources;
     /* set by redcc_next: the chunk */
     redcc_int origin;
     const redcc_iterations *run;

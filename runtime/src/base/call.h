@@ -19,9 +19,9 @@ struct request {
     void **bases;        /* [array_count] */
     redcc_extent *known; /* [source_count] */
     redcc_word *key;     /* [key_count] */
-    const redcc_extent
-        *sections; /* [array_count] the sections that OpenMP's clause names, if shares of them are
-                      executed without an inspection (choose/sections.h); otherwise NULL */
+    /* [array_count] the sections that OpenMP's clause names, if shares of them are executed without
+     * an inspection (choose/sections.h); otherwise NULL */
+    const redcc_extent *sections;
 };
 
 struct call {

@@ -15,8 +15,8 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-static bool
-    had_threads; /* did the process have several threads just before fork? read by the child */
+/* did the process have several threads just before fork? read by the child */
+static bool had_threads;
 atomic_bool redcc_had_threads; /* written while there is only one thread */
 atomic_char *redcc_process_mark;
 static long process; /* if there is no such page: the id of the process registered last */

@@ -205,8 +205,8 @@ void redcc_system_secret(uint64_t *word, size_t words) {
     const size_t bytes = words * sizeof *word;
     if (redcc_system(SYS_getrandom, word, bytes, 1 /* GRND_NONBLOCK */) == (long)bytes)
         return;
-    const uint64_t *given =
-        (const uint64_t *)auxiliary_value(AT_RANDOM); /* the kernel's 16 random bytes */
+    /* the kernel's 16 random bytes */
+    const uint64_t *given = (const uint64_t *)auxiliary_value(AT_RANDOM);
     const struct timespec now = redcc_system_clock(CLOCK_REALTIME);
     uint64_t state = (uint64_t)now.tv_nsec ^ (uint64_t)(uintptr_t)&state;
     for (size_t i = 0; i < words; i++) { /* the generator splitmix64 */

@@ -9,8 +9,8 @@
 
 /* The tables that the image's dynamic section refers to. */
 struct image {
-    uintptr_t
-        shift; /* difference between actual addresses and the addresses in the image's tables */
+    /* difference between actual addresses and the addresses in the image's tables */
+    uintptr_t shift;
     const Elf64_Sym *symbol;
     const char *text;
 };

@@ -117,8 +117,8 @@ static void forget_outside(struct redcc_bin_buffer *buffer) {
     buffer->outside = redcc_no_rows;
     buffer->outside_count = 0;
     buffer->reached = redcc_no_rows;
-    buffer->readable_page =
-        REDCC_NO_PAGE; /* the program may have unmapped it since the last round */
+    /* the program may have unmapped it since the last round */
+    buffer->readable_page = REDCC_NO_PAGE;
 }
 
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {

@@ -23,8 +23,8 @@ struct redcc_bin_buffer {
     uint32_t blocks; /* number of allocated blocks */
     uint32_t used;   /* number of blocks used so far */
     uint32_t *next;  /* [blocks] the next block of the same bin */
-    uint32_t
-        *mark; /* [PIECE_MARKS][bins] the cursors at the beginning of each of the thread's pieces */
+    /* [PIECE_MARKS][bins] the cursors at the beginning of each of the thread's pieces */
+    uint32_t *mark;
     redcc_int marked[PIECE_MARKS]; /* the number of records at the beginning of each piece */
     bool exhausted;                /* a record was not stored, because no blocks were left */
     struct row_range outside; /* range of the rows outside of the bins, whose records are missing */

@@ -18,11 +18,11 @@
 enum {
     SHARE_PIECES = 16,
     STOLEN_PIECES = 16, /* maximum number of pieces that one thread steals in a round */
-    TAKEN_PIECES = SHARE_PIECES +
-                   STOLEN_PIECES, /* maximum number of pieces that one thread executes in a round */
+    /* maximum number of pieces that one thread executes in a round */
+    TAKEN_PIECES = SHARE_PIECES + STOLEN_PIECES,
     PIECE_MARKS =
-        TAKEN_PIECES +
-        1 /* number of marks: the beginning of each piece, and the end of the last piece */
+        /* number of marks: the beginning of each piece, and the end of the last piece */
+    TAKEN_PIECES + 1
 };
 
 struct binning;

@@ -309,8 +309,8 @@ static enum bins_phase after_push(struct binning *binning) {
         if (has_failed(binning, binning->binner[t]))
             return push_again(binning);
     const enum reason reason = redcc_bins_guard(binning);
-    if (reason != REASON_NONE &&
-        binning->copies) { /* with records instead of copies, the guard is more precise */
+    /* with records instead of copies, the guard is more precise */
+    if (reason != REASON_NONE && binning->copies) {
         binning->denies_copies = true;
         throw_away(binning);
         return lay_out(binning);

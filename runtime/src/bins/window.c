@@ -65,8 +65,8 @@ static uint32_t least_bits(const redcc_stream *stream) {
 static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, double records) {
     const size_t row = redcc_stream_row(stream);
     const uint64_t enough = (uint64_t)threads * BINS_A_THREAD;
-    const double each =
-        (double)(threads * RECORDS_A_BIN); /* least number of records of a bin, from all threads */
+    /* least number of records of a bin, from all threads */
+    const double each = (double)(threads * RECORDS_A_BIN);
     uint32_t bits = REDCC_PLACE_BITS - stream->tag_bits;
     if (bits > redcc_bins_tuning.bin_bits)
         bits = redcc_bins_tuning.bin_bits;

@@ -452,8 +452,8 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, inspection->call->request.loop);
     return arm[WAY_INDEX].execution <
-           (1 + LEARN_BETTER) / 2 *
-               findings.sequential; /* halfway between equality and the required gain */
+           /* halfway between equality and the required gain */
+           (1 + LEARN_BETTER) / 2 * findings.sequential;
 }
 
 const struct method *redcc_advise_swept(const struct chooser *chooser,

@@ -30,8 +30,8 @@ struct chooser {
     uint64_t sampled[REDCC_PLANS]; /* the samples of the last calls that differ from each other,
                                       most recent first */
     int steady;                    /* number of consecutive calls whose sample was in `sampled` */
-    struct fingerprint
-        all; /* fingerprint of all subscripts after the last call, if it was computed */
+    /* fingerprint of all subscripts after the last call, if it was computed */
+    struct fingerprint all;
     bool remembered;
     bool verified;   /* all subscripts were once compared and unchanged, and their sample has not
                         changed since */
@@ -50,8 +50,8 @@ struct advice {
     bool alone;   /* with ACTION_INSPECT: one thread takes a sample, and no plan is constructed in
                      this call */
     double deadline; /* with ACTION_INSPECT: time limit of a dry run, in seconds */
-    double
-        awaited; /* with ACTION_INSPECT: seconds spent waiting for threads that had to be started */
+    /* with ACTION_INSPECT: seconds spent waiting for threads that had to be started */
+    double awaited;
     double may_lose; /* with ACTION_REUSE, in a trial: seconds that may be lost (struct decision);
                         0: no trial */
     double usual;    /* seconds per iteration of the sequential loop; 0: not known yet */

@@ -19,8 +19,8 @@ struct findings {
     double further_rows; /**< number of different rows of the other groups per iteration */
     /** seconds of an iteration's slice; 0: unknown, or about as estimated from the touches */
     double slice;
-    double
-        runs; /**< fraction of the iterations that touch other owners than the iteration before */
+    /** fraction of the iterations that touch other owners than the iteration before */
+    double runs;
     bool fetched;  /**< accesses are irregular, the data exceed the caches, and plans prefetch */
     bool tiled;    /**< the loop is over pairs, and can be cut into tiles */
     bool lanes;    /**< plans use the loop's vector form, because that is faster */

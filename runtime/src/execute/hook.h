@@ -18,8 +18,8 @@
 struct redcc_hook {
     struct hooks *of;
     redcc_owner owner; /* the elements that the thread owns; unused with locks */
-    const struct rounding
-        *rounding;    /* rounding errors of the array's group; NULL: the array is not compensated */
+    /* rounding errors of the array's group; NULL: the array is not compensated */
+    const struct rounding *rounding;
     uintptr_t base;   /* units begin at multiples of `unit` from this address */
     uint32_t unit;    /* size of a unit in bytes */
     uint32_t element; /* size of an element in bytes */

@@ -14,8 +14,8 @@ enum { LEAST_BYTES_LIGHT = 8 << 20 };
 enum { SHORT_RUN = 4 };
 
 bool redcc_prefetch_is_possible(const struct plan *plan) {
-    return plan->copies.count ==
-           0; /* the slice computes addresses in the arrays, not in the copies */
+    /* the slice computes addresses in the arrays, not in the copies */
+    return plan->copies.count == 0;
 }
 
 static ptrdiff_t bytes_updated(const struct plan *plan) {

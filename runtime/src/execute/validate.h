@@ -32,8 +32,8 @@ struct validated {
     long passed_over; /* number of executions that were not compared, because a scattered array
                          cannot be copied */
     long broken;      /* number of executions with errors */
-    atomic_long
-        misnamed;      /* number of updates of rows that a slice did not name (redcc/parallel.h) */
+    /* number of updates of rows that a slice did not name (redcc/parallel.h) */
+    atomic_long misnamed;
     double largest;    /* largest difference, in ulps */
     const char *array; /* the array with this difference */
     char name[64];     /* storage for that array's name */

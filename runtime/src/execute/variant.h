@@ -26,8 +26,8 @@ struct variants {
     struct paired_timing pairs; /* timings of the current trial */
     bool best;                  /* did the variant with prefetches win the last trial? */
     long executions;            /* number of executions in which the choice was open */
-    struct back_off
-        back_off; /* back-off of trials, counted in executions in which the choice was open */
+    /* back-off of trials, counted in executions in which the choice was open */
+    struct back_off back_off;
 };
 
 /** The number of timing slices of an execution in which each thread executes `iterations`

@@ -91,8 +91,8 @@ struct inspection {
     struct barrier *barrier;
     struct range *touched; /* [array_count] ranges touched by all threads; owned by the loop */
     struct range *sources; /* [source_count] ranges read; owned by the loop */
-    uint32_t
-        stealable; /* number of stealable blocks to be cut for each thread (partition.stealable) */
+    /* number of stealable blocks to be cut for each thread (partition.stealable) */
+    uint32_t stealable;
     enum route route; /* the route decided so far */
     struct pace pace;
     bool no_copies; /* private copies are impossible, because the ranges that all iterations touch

@@ -522,8 +522,8 @@ struct decision redcc_decide(struct choice_state *state, const struct situation 
 }
 
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now) {
-    struct size_state size =
-        *redcc_size_of(state, now->trip); /* on copies, because nothing is decided yet */
+    /* on copies, because nothing is decided yet */
+    struct size_state size = *redcc_size_of(state, now->trip);
     struct ledger ledger = state->ledger;
     const bool as_before = size.threads == 0 || size.threads == now->threads;
     if (size.sequential.count > 0 &&

@@ -120,8 +120,8 @@ struct outcome {
                        _REFUSED, the time that was lost */
     double set_up;  /**< with RESULT_PARALLEL: seconds that the construction of a new plan took; 0:
                        the plan was not new */
-    double
-        done; /**< with RESULT_STOPPED: the completed fraction of the plan construction, 0 to 1 */
+    /** with RESULT_STOPPED: the completed fraction of the plan construction, 0 to 1 */
+    double done;
     double usual; /**< in a trial: seconds per iteration of the sequential loop, timed within the
                      trial; 0: not timed */
     long untimed; /**< with RESULT_SEQUENTIAL: number of untimed executions before this one; they

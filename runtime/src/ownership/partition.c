@@ -75,8 +75,8 @@ void redcc_partition_add_stealable(struct partition *partition) {
         const uintptr_t *from = redcc_cuts(partition, group);
         uintptr_t *to = partition->cut + (size_t)group * (shares * each + 1);
         uintptr_t next = to[(size_t)shares * each] = from[shares];
-        for (uint32_t share = shares;
-             share-- > 0;) { /* the copy is in place, so it goes backwards */
+        /* the copy is in place, so it goes backwards */
+        for (uint32_t share = shares; share-- > 0;) {
             const uintptr_t first = from[share];
             for (uint32_t block = 1; block < each; block++)
                 to[(size_t)share * each + block] = next;

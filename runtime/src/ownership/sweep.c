@@ -89,8 +89,8 @@ static void sort_list(struct sweep *sweep) {
         sort_few(sweep->list, sweep->listed);
         return;
     }
-    uint32_t count =
-        0; /* the list is long: it is replaced by all stamped owners, in ascending order */
+    /* the list is long: it is replaced by all stamped owners, in ascending order */
+    uint32_t count = 0;
     for (uint32_t owner = 0; owner < sweep->partition->owners; owner++)
         if (sweep->stamp[owner] == sweep->iteration)
             sweep->list[count++] = owner;

@@ -21,8 +21,8 @@ struct plan;
 /** The results of inspecting all iterations, from which a method builds a plan. */
 struct evidence {
     const struct partition *partition;
-    const struct summary *const
-        *summary; /* [threads] the access summaries of consecutive shares of the iterations */
+    /* [threads] the access summaries of consecutive shares of the iterations */
+    const struct summary *const *summary;
     const struct range *const *seen; /* [threads][array_count] for each share of the iterations, the
                                         range of each group that it touches */
     int threads;
@@ -51,10 +51,10 @@ struct method {
                               such as "a|b" or "N"; NULL: the method has no parameter */
 
     /* What the method promises and needs: */
-    redcc_order
-        keeps; /* the strongest order that the method's results satisfy. SERIAL also means that each
-                  element's contributions are added in the order of the loop, as REDCC_ORDER_NEEDED
-                  requires. A method with FIXED is used even if there is only one thread */
+    /* the strongest order that the method's results satisfy. SERIAL also means that each element's
+     * contributions are added in the order of the loop, as REDCC_ORDER_NEEDED requires. A method
+     * with FIXED is used even if there is only one thread */
+    redcc_order keeps;
     enum copy_kind copies; /* if not COPY_NONE, each array needs an element_rule */
 
     bool by_graph;  /* owners are chosen by partitioning the graph of a complete access log

@@ -48,11 +48,11 @@ struct plan {
     uint32_t schedules;
     struct flags *flags; /* flags of tasks; NULL: there are none */
     unsigned round;      /* number of the execution: the value of a raised flag */
-    struct rounding
-        *rounding; /* [array_count] rounding errors of each group, for compensated sums; or NULL */
+    /* [array_count] rounding errors of each group, for compensated sums; or NULL */
+    struct rounding *rounding;
     struct copies copies;
-    redcc_int
-        executed; /* number of executed iterations; each counts once per thread that executes it */
+    /* number of executed iterations; each counts once per thread that executes it */
+    redcc_int executed;
     redcc_int length; /* the makespan, in iterations (length.h) */
 };
 

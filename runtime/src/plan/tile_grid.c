@@ -8,8 +8,8 @@ enum {
                                half a band on average */
     LEAST_SIDE = 16, /* with a smaller side, synchronisation would take more than a tenth of a
                         tile's time (16 x 16 pairs) */
-    USUAL_SIDE =
-        128 /* with this side, the rows and columns of a tile stay in a core's first-level cache */
+    /* with this side, the rows and columns of a tile stay in a core's first-level cache */
+    USUAL_SIDE = 128
 };
 
 redcc_int redcc_tile_side;

@@ -91,8 +91,8 @@ void redcc_hash_rest(struct hasher *hasher, const struct request *request,
                 hasher->fingerprint[s] = redcc_reading_fingerprint(reading);
             continue;
         }
-        if (!redcc_readings_equal(partial->reading,
-                                  reading)) /* the range is not the one that was hashed */
+        /* the range is not the one that was hashed */
+        if (!redcc_readings_equal(partial->reading, reading))
             *partial = (struct partial_hash){.reading = reading};
         hash_up_to(partial, hasher, 1);
         hasher->fingerprint[s] = partial->so_far;

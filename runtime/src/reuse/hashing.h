@@ -23,8 +23,8 @@ struct partial_hash {
 struct hasher {
     int thread;
     int threads;
-    struct fingerprint
-        *fingerprint; /* [source_count] for each source, the fingerprint of this thread's share */
+    /* [source_count] for each source, the fingerprint of this thread's share */
+    struct fingerprint *fingerprint;
     struct partial_hash *partial; /* [source_count] partial hashes, used during the sweep */
 };
 

@@ -175,8 +175,8 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
             found = kept;
     }
     reuse->found = found;
-    if (!found ||
-        !fits(reuse, found, threads)) /* called again, because it also sets the sources' ranges */
+    /* called again, because it also sets the sources' ranges */
+    if (!found || !fits(reuse, found, threads))
         return;
     if (redcc_may_be_aliased(
             (struct touches){reuse->written, found->plan->array_count, reuse->sources,

@@ -42,8 +42,8 @@ struct kept_plan {
 struct plan_cache {
     struct kept_plan *kept[REDCC_PLANS]; /* NULL: a free slot */
     uint64_t clock;
-    struct back_off
-        back_off; /* back-off after write tracking that did not save what it cost (tracking.c) */
+    /* back-off after write tracking that did not save what it cost (tracking.c) */
+    struct back_off back_off;
 };
 
 /** One call's search for a plan. All threads share it. */
@@ -54,8 +54,8 @@ struct reuse {
     struct barrier *barrier;
     struct kept_plan *found; /* the plan that may be reused or is in use; NULL: none */
     struct range *sources;   /* [source_count] the sources' ranges in this call */
-    struct range
-        *written; /* [array_count] the ranges that the plan's groups would write in this call */
+    /* [array_count] the ranges that the plan's groups would write in this call */
+    struct range *written;
     long skipped_calls; /* number of calls before this one that auto executed sequentially */
     double earned;      /* seconds that auto has saved by the plan, minus its construction */
     uint64_t sampled;   /* a hash of a few words of the subscripts; 0: not sampled */

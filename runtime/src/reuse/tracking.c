@@ -6,8 +6,8 @@
 #include "reuse/pages/watch.h"
 
 enum {
-    A_COMPARISON =
-        12, /* useless tracking of a page costs as much as this many comparisons of a page */
+    /* useless tracking of a page costs as much as this many comparisons of a page */
+    A_COMPARISON = 12,
     A_SOURCE = 165, /* the check whether a source may be tracked costs as much as this many pages */
     LEAST = 256 * 1024 /* in bytes; comparing fewer bytes costs little more than the query */
 };

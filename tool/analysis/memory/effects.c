@@ -26,10 +26,8 @@ struct effects {
     const hidden_names *names;
 };
 
-enum {
-    SUMMARY_LIMIT = 4000
-}; /* greatest number of accesses; calls of functions with more are
-    * refused */
+/* greatest number of accesses; calls of functions with more are refused */
+enum { SUMMARY_LIMIT = 4000 };
 
 effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
                      variable_facts *facts) {

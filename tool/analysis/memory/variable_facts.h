@@ -9,9 +9,8 @@
 #include "support/vector.h"
 
 typedef struct variable_fact {
-    VECTOR(const ir_node *)
-    occurrences; /* IR_VARIABLE nodes that name it, in the order of the
-                  * text */
+    /* IR_VARIABLE nodes that name it, in the order of the text */
+    VECTOR(const ir_node *) occurrences;
     VECTOR(const ir_node *)
     writes;               /* nodes that assign it, take its address, or pass it or an array in it
                            * to a function; in the order of the text */

@@ -50,9 +50,9 @@ struct access_log {
     struct logged_array *of; /* [array_count] */
     uint32_t units;          /* total number of units */
     struct unit_list leading;
-    struct unit_list
-        further;     /* the units of all other groups; not allocated if there is only one group */
-    redcc_int begin; /* the first iteration of the thread's share */
+    /* the units of all other groups; not allocated if there is only one group */
+    struct unit_list further;
+    redcc_int begin;      /* the first iteration of the thread's share */
     redcc_int iterations; /* number of iterations recorded */
     size_t most;          /* maximum number of items of a list */
     bool too_much;        /* a list would have had more than `most` items */

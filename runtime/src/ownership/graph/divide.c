@@ -171,8 +171,8 @@ static bool begin_coarse(struct divide *divide) {
 }
 
 static bool take_coarse_edges(struct divide *divide) {
-    struct graph *coarse =
-        &divide->coarse; /* the clusters' weights include iterations that add no edges */
+    /* the clusters' weights include iterations that add no edges */
+    struct graph *coarse = &divide->coarse;
     memcpy(coarse->weight, divide->clusters.share[0].weight,
            coarse->count * sizeof *coarse->weight);
     return redcc_graph_take(coarse);

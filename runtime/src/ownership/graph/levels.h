@@ -23,8 +23,8 @@ struct level_stage {
 };
 
 struct levels {
-    uint32_t
-        *iteration; /* [count] the iterations, sorted by stage and ascending within each stage */
+    /* [count] the iterations, sorted by stage and ascending within each stage */
+    uint32_t *iteration;
     struct level_stage *stage; /* [stages + 1] the stages and an end */
     uint32_t count;
     uint32_t stages;

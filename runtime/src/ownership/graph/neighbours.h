@@ -22,8 +22,8 @@ struct graph {
     uint32_t *neighbour;
     uint32_t *strength; /* the strength of each edge; NULL: 1 each */
     uint32_t *weight;   /* [count] the work of each node */
-    const unsigned char
-        *only; /* [count] borrowed: the nodes that may have edges; NULL: all nodes */
+    /* [count] borrowed: the nodes that may have edges; NULL: all nodes */
+    const unsigned char *only;
 };
 
 /** Creates `count` nodes. False: out of memory. Call redcc_graph_end in either case. */
