@@ -112,8 +112,9 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Are some updates in inner loops, and does the inspector log each of these loops as a span? The
- * slice must contain no search and no pre-check. */
+/** Is inspecting an iteration short even if executing it is long? True if some updates are in inner
+ * loops, and the inspector logs the rows of each of these loops as one range (loop_span). The slice
+ * must contain no search, and the loop must need no pre-check (precheck.h). */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;

@@ -7,8 +7,9 @@
 #include <omp.h>
 #endif
 
-/* share: the fraction of the time that trials may cost. margin: limit of a trial's time relative to
- * the expected time. gain: a level replaces the chosen one if its relative time is below this. */
+/* share: the fraction of the time that trials may cost. margin: a trial ends when it takes more
+ * than this times the expected time. gain: the number of threads of a trial is adopted if the trial
+ * takes less than this times the expected time. */
 static const double share = 0.02, margin = 1.5, gain = 0.97;
 /* Weight of a new round in the exponential moving averages. */
 static const double weight = 0.3;

@@ -253,10 +253,12 @@ typedef struct redcc_loop {
     void *state; /**< owned by the runtime; initially 0 */
 } redcc_loop;
 
-/** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
- * inspection. Then redcc_read records the addresses. When a plan is reused, they are relative to
- * `first`; first == 0 means that there is no such pointer, or that the addresses lie in several
- * objects. To reuse a plan, all bytes between the first and the last one read are compared. */
+/** Bytes [first, end). In redcc_run's parameter `known` (runtime.h), end == 0 means that the range
+ * is not known before the inspection. Then `first` is the pointer through which the loop reads, and
+ * redcc_read finds the range. A kept plan stores the range relative to that pointer, since the data
+ * may have moved by the next execution. first == 0: no single pointer leads to the data, or they
+ * lie in several objects. To reuse a plan, all bytes from the lowest to the highest address read
+ * are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -394,8 +396,8 @@ typedef struct redcc_applied {
 
 enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 
-/** A stream: updates that must be applied in order. These are all updates of an array, or of
- * several arrays that are updated at one subscript. */
+/** A stream: updates that are applied in order (unless `exact`). These are all updates of an array,
+ * or of several arrays that are updated at one subscript. */
 typedef struct redcc_stream {
     /** Applies records by executing the statements of the loop's updates. Writes only to the
      * rows. */

@@ -441,8 +441,8 @@ typedef struct loop_inspector {
     unsigned span_count;
     const loop_span *spans;
     unsigned hull_count;
-    const ir_node *const *hulls; /* inner loops whose first and last iterations have the extreme
-                                  * addresses of their updates (loop/hulls.h) */
+    const ir_node *const *hulls; /* inner loops that update their lowest and highest addresses
+                                  * in their first and last iterations (loop/hulls.h) */
     unsigned key_count; /* number of invariant scalars and pointers on which the slice depends */
     const ir_node *const *key;
 } loop_inspector;

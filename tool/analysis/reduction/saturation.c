@@ -25,10 +25,10 @@ static bool is_step_up(const ir_node *node, const ir_node *target) {
             (form.value->children[1] == form.self && is_one(form.value->children[0])));
 }
 
+/* The type's greatest value; INT64_MAX if that is greater, since constants are held as int64_t. */
 static int64_t highest_of(const ir_type *type) {
     const int64_t bits = 8 * type->size - type->is_signed;
-    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is greater than
-                                                              * INT64_MAX */
+    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX;
 }
 
 /* Is the constant greater than 0, and does the comparison convert neither operand to another
