@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// DIRECTLY: 1 2 3 16 33
 // INTEGERS: no
 // METHODS: pseudo-expansion
 // MAY-RUN-SERIALLY: expected where reads overlap updates

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// DIRECTLY: 1 2 3 16 33
 // Iterations that update no element of the array, but store to their own element: every method executes them.
 // METHODS: dwa-lip dwa-lip-fixed pe-dwa-lip expansion expansion-fixed pseudo-expansion
 #include "case.h"

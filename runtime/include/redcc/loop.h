@@ -383,7 +383,7 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         }                                                                                          \
     }
 
-/** At the beginning of a function that executes a loop whose slice has hulls. */
+/** At the beginning of a function that executes a loop whose slice has hulls or few touches. */
 #define REDCC_HULLS enum { redcc__has_hulls = 1 };
 enum { redcc__has_hulls = 0 };
 
@@ -400,7 +400,7 @@ enum { redcc__has_hulls = 0 };
             REDCC_CLASSIFY_BY(0, redcc_selects, redcc_call_of_slice)                               \
         redcc_store_classes(redcc__worker, redcc__class, redcc__k);                                \
     }
-/* Two loops, so that the one by hulls needs no calls. */
+/* Two loops, so that the one for owners without maps needs no calls. */
 #define REDCC_CLASSIFY_BY(redcc_hull, redcc_selects, redcc_call_of_slice)                          \
     for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {            \
         redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0, 0, redcc_hull};                   \

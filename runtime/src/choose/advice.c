@@ -7,6 +7,7 @@
 #include "base/trace.h"
 #include "choose/cost_model.h"
 #include "choose/waking.h"
+#include "ownership/fences.h"
 #include "plan/copies.h"
 #include "plan/tile_grid.h"
 
@@ -298,9 +299,18 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* The share of a thread that selects its own iterations: it evaluates all slices. Without fences
- * all threads together (or one, in a dry run) have evaluated them once before. With REDCC_PARTS,
- * replicated iterations count as a quarter, since they skip most of their work. */
+/* The share of slices that a thread evaluates to select its own iterations: an equal share in the
+ * survey (execute/survey.h), and blocks with elements of several owners. */
+static double share_of_slices(const struct inspection *inspection, const struct findings *it) {
+    const double even = 1.0 / it->threads, open = it->runs / LEARN_FREQUENT;
+    if (open >= 1 || inspection->call->request.loop->flags & REDCC_DRY_RUN)
+        return 1;
+    return even + (1 - even) * open;
+}
+
+/* The share of a thread that selects its own iterations. Without fences all threads together (or
+ * one, in a dry run) have evaluated all slices once before. With REDCC_PARTS, replicated iterations
+ * count as a quarter, since they skip most of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
@@ -313,9 +323,10 @@ static double share_directly(const struct inspection *inspection, const struct f
     /* tiles compute each pair once, and their slices are short */
     if (redcc_may_be_tiled(inspection) && it->sequential > 0)
         return even;
-    const double before = flags & REDCC_FENCED ? 0 : dried + slice * even;
-    return flags & REDCC_SELECTS && it->sequential > 0 ? share + (before + slice) / it->sequential
-                                                       : 0;
+    const double before =
+        redcc_may_be_fenced(inspection->call->request.loop) ? 0 : dried + slice * even;
+    const double selecting = before + slice * share_of_slices(inspection, it);
+    return flags & REDCC_SELECTS && it->sequential > 0 ? share + selecting / it->sequential : 0;
 }
 
 /* Adds the findings for bins. Bins are expected to pay if updates are irregular, or if private
