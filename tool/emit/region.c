@@ -9,8 +9,6 @@
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
-enum { MOST_INLINED = 8 }; /* maximum number of updates whose comparisons are inlined */
-
 void write_region(loop_text *loop, writer *out) {
     const char *kind = loop->outline.reads_call ? "_BINNED_READS"
                        : loop->bins             ? "_BINNED"
@@ -21,8 +19,7 @@ void write_region(loop_text *loop, writer *out) {
     assert(!has_leaders || !loop->outline.reads_call); /* write_slice_of_reads has written none */
     const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
-    /* inlining many comparisons would be slow to compile */
-    if (loop->facts->inspector.hull_count > 0 || loop->facts->update_count <= MOST_INLINED)
+    if (loop->facts->inspector.hull_count > 0)
         writer_line(out, "REDCC_HULLS");
     const char *tiles = loop->outline.tile_call
                             ? arena_format(loop->arena, " REDCC_TILED(%lld, %s, %s)",

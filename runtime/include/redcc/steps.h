@@ -177,9 +177,39 @@ typedef struct redcc_probe {
     int rank;      /* rank of the leading row so far; 0: no row, 1: a row, 2: a preferred row */
     int leads;
     int strays;  /* REDCC_SELECT: the iteration leaves a fence */
-    int by_hull; /* REDCC_SELECT: no owner has a map, so hulls suffice (slice.h), and touches are
-                    compared without calls; a constant */
+    int by_hull; /* REDCC_SELECT: no owner has a map, so hulls suffice (slice.h); a constant */
 } redcc_probe;
+
+/** Finds the iteration's leader: the owner of the first byte of the first preferred row or, if no
+ * row is preferred, of the first row. Thus all threads choose the same leader. */
+static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
+                                         const void *address) {
+    const int rank = probe->preferred ? 2 : 1;
+    probe->preferred = 0;
+    if (probe->selects != 2 || probe->rank >= rank)
+        return;
+    probe->rank = rank;
+    probe->leads = redcc_has(window, address);
+}
+
+/** For REDCC_SELECT with a map: finds whether this thread, others or both own the `bytes` > 0 bytes
+ * at `address`. */
+REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *window,
+                                     const void *address, redcc_size bytes) {
+    const unsigned seen =
+        redcc_mapped(window, (redcc_size)address - (redcc_size)window->first, bytes);
+    probe->inside |= (seen & REDCC_CLASS_OWN) != 0;
+    probe->outside |= (seen & REDCC_CLASS_OTHERS) != 0;
+}
+
+/** True after REDCC_SETTLED consecutive iterations that touched only the current owner's range.
+ * Then the next iterations are first probed, in order, by redcc_probe_touch and redcc_probe_read
+ * (or by the variants for row numbers). Each iteration for which redcc_is_alike holds is counted in
+ * worker->alike; the first one for which it does not hold is recorded. False if no owned range is
+ * set or the stride is not 1. */
+static __inline__ int redcc_is_settled(const redcc_worker *worker) {
+    return worker->alike >= REDCC_SETTLED || worker->alike <= REDCC_DRY_PROBED;
+}
 
 /* In a loop that calls the functions below, compilers keep all arguments except `address` and `row`
  * in registers. */
@@ -212,74 +242,27 @@ static __inline__ int redcc_intersects(const char *first, redcc_size size, const
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/** Finds the iteration's leader: the owner of the first byte of the first preferred row or, if no
- * row is preferred, of the first row. Thus all threads choose the same leader. */
-static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
-                                         const void *address) {
-    const int rank = probe->preferred ? 2 : 1;
-    probe->preferred = 0;
-    if (probe->selects != 2 || probe->rank >= rank)
-        return;
-    probe->rank = rank;
-    probe->leads = probe->by_hull ? !redcc_leaves(window->first, window->size, address, 1)
-                                  : redcc_has(window, address);
-}
-
-/** For REDCC_SELECT with a map: finds whether this thread, others or both own the `bytes` > 0 bytes
- * at `address`. */
-REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *window,
-                                     const void *address, redcc_size bytes) {
-    const unsigned seen =
-        redcc_mapped(window, (redcc_size)address - (redcc_size)window->first, bytes);
-    probe->inside |= (seen & REDCC_CLASS_OWN) != 0;
-    probe->outside |= (seen & REDCC_CLASS_OTHERS) != 0;
-}
-
-/** True after REDCC_SETTLED consecutive iterations that touched only the current owner's range.
- * Then the next iterations are first probed, in order, by redcc_probe_touch and redcc_probe_read
- * (or by the variants for row numbers). Each iteration for which redcc_is_alike holds is counted in
- * worker->alike; the first one for which it does not hold is recorded. False if no owned range is
- * set or the stride is not 1. */
-static __inline__ int redcc_is_settled(const redcc_worker *worker) {
-    return worker->alike >= REDCC_SETTLED || worker->alike <= REDCC_DRY_PROBED;
-}
-
-/* Sets `inside`, `outside` and `strays` for REDCC_SELECT, if no owner has a map. */
-REDCC_INLINE void redcc_select_unmapped(redcc_probe *probe, const redcc_worker *worker,
-                                        redcc_u32 array, const void *address, redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array], *fence = &worker->owner[array];
-    if (bytes == 0)
-        return;
-    redcc_probe_first(probe, window, address);
-    probe->strays |= redcc_leaves(fence->first, fence->size, address, bytes);
-    probe->inside |= redcc_intersects(window->first, window->size, address, bytes);
-    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
-}
-
-/* The same, if owners may have maps. Not inlined, because compiling a copy at each touch
+/* Sets `inside` and `outside` for REDCC_SELECT. Not inlined, because compiling a copy at each touch
  * would be slow. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array], *fence = &worker->owner[array];
-    if (!window->map) {
-        redcc_select_unmapped(probe, worker, array, address, bytes);
-        return;
-    }
     if (bytes == 0)
         return;
     redcc_probe_first(probe, window, address);
     probe->strays |= redcc_leaves(fence->first, fence->size, address, bytes);
-    redcc_probe_mapped(probe, window, address, bytes);
+    if (window->map) {
+        redcc_probe_mapped(probe, window, address, bytes);
+        return;
+    }
+    probe->inside |= redcc_intersects(window->first, window->size, address, bytes);
+    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 
 REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                                     const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
-    if (probe->selects && probe->by_hull) {
-        redcc_select_unmapped(probe, worker, array, address, bytes);
-        return;
-    }
     if (probe->selects) {
         redcc_select_touch(probe, worker, array, address, bytes);
         return;
@@ -293,7 +276,8 @@ REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *
                                         redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     if (probe->selects) {
-        redcc_probe_touch(probe, worker, array, (const char *)base + row * (redcc_int)bytes, bytes);
+        redcc_select_touch(probe, worker, array, (const char *)base + row * (redcc_int)bytes,
+                           bytes);
         return;
     }
     probe->inside = 1;
