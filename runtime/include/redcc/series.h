@@ -156,7 +156,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
  * value. Unless `begins` is 2, the scalar is read only if the loop updates it at all. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \
     ((redcc_writer).begins == 2 ||                                                                 \
-             ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series))           \
+             ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series))       \
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 

@@ -37,7 +37,7 @@ struct run {
     /* with a method that classifies iterations: */
     struct fences fences;
     struct survey survey;
-    atomic_ullong error;  /* the loop's errno: executor.c */
+    atomic_ullong error; /* the loop's errno: executor.c */
     atomic_int last_claimed;
     atomic_uint
         blocks_claimed; /* number of stealable blocks, or bands of tiles, that threads have taken */

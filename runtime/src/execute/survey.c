@@ -9,10 +9,10 @@
 static bool make_room(struct survey *survey, redcc_int blocks, int threads) {
     if (survey->room < blocks || survey->stops < threads) {
         redcc_survey_free(survey);
-        *survey = (struct survey){
-            .block = redcc_memory_alloc((size_t)blocks * sizeof *survey->block),
-            .is_open = redcc_memory_alloc((size_t)blocks * sizeof *survey->is_open),
-            .stop = redcc_memory_alloc((size_t)threads * sizeof *survey->stop)};
+        *survey =
+            (struct survey){.block = redcc_memory_alloc((size_t)blocks * sizeof *survey->block),
+                            .is_open = redcc_memory_alloc((size_t)blocks * sizeof *survey->is_open),
+                            .stop = redcc_memory_alloc((size_t)threads * sizeof *survey->stop)};
     }
     if (!survey->block || !survey->is_open || !survey->stop)
         return false;
