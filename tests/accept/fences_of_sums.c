@@ -13,8 +13,7 @@
 enum { N = 3000, M = 400 };
 static double values[6 * N], *const sum = values, *const x = values + 4 * N;
 static int at[N], from[N], row[N + 1];
-static double energy;
-static float narrow;
+static float narrow, product = 1.25f; /* no update of a double changes them */
 static long pairs;
 
 static double in_rows(int n, double *b, const int *begin, const int *s, const double *w) {
@@ -28,7 +27,8 @@ static double in_rows(int n, double *b, const int *begin, const int *s, const do
 }
 
 /* Both ends of a pair are updated; a thread that owns neither skips the pair. */
-static void half_list(int n, double *f, const int *begin, const int *s, const double *w) {
+static double half_list(int n, double *f, const int *begin, const int *s, const double *w) {
+    double energy = 0;
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int j = begin[i]; j < begin[i + 1]; j++) {
             const int k = s[j];
@@ -42,18 +42,17 @@ static void half_list(int n, double *f, const int *begin, const int *s, const do
             f[i] += e;
             f[k] -= e;
         }
+    return energy;
 }
 
 /* Before the first iteration that leaves the arrays, no iteration has an operand. */
-static double only_later(int n, double *b, const int *begin, const int *s, const double *w, double least) {
-    double product = 1.25;
+static void only_later(int n, double *b, const int *begin, const int *s, const double *w, double least) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int j = begin[i]; j < begin[i + 1]; j++) {
             b[s[j]] += 1.0;
             if (w[j] > least)
-                product *= 1 + 0x1p-9 * sqrt(w[j] - 1e3);
+                product *= (float)(1 + 0x1p-9 * w[j]);
         }
-    return product;
 }
 
 /* The pointer `all` is null: it must not be dereferenced, because no iteration reaches the sum. */
@@ -99,14 +98,15 @@ static void each(int stray, double *own) {
     if (stray < N / 2)
         at[2 * stray] = (int)(x - sum) + (stray + 7) % N;
     printf("%a\n", in_rows(N / 2, sum, row, at, x));
-    half_list(N / 2, sum, row, at, x);
-    printf("%a %a %ld\n", energy, (double)narrow, pairs);
+    printf("%a\n", half_list(N / 2, sum, row, at, x));
+    printf("%a %ld\n", (double)narrow, pairs);
     CASE_PRINT(values);
     fill();
     if (stray < N / 2)
         for (int t = 0; t < 9; t++)
             at[2 * stray + t % 2] = (int)(x - sum) + 2 * stray + 20 + t;
-    printf("%a\n", only_later(N / 2, sum, row, at, x, 1.0 - 1e-3));
+    only_later(N / 2, sum, row, at, x, 1.0);
+    printf("%a\n", (double)product);
     never(N / 2, sum, row, at, x, 1e9, NULL);
     printf("%d\n", leaving(N / 2, sum, row, at, x, own, &sums));
     printf("%a\n", sums);

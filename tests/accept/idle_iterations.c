@@ -18,6 +18,17 @@ static void halve(int n, const int *k, long *mine, int *b) {
     }
 }
 
+/* No update can change a subscript. */
+static void halve_apart(int n, const int *restrict k, long *restrict mine, int *restrict b) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        int v = (int)mine[i];
+        mine[i] = v / 2 + 1;
+        if (k[i] % 3 == 0)
+            continue;
+        b[k[i]] += v;
+    }
+}
+
 /* The iterations of the second half update nothing. */
 static void first_half(int n, const int *k, long *mine, int *b) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -40,5 +51,11 @@ int main(void) {
         case_print("own", own, sizeof own);
         case_print("h", h, sizeof h);
     }
+    for (int i = 0; i < N; i++) /* most blocks of iterations update only h[1] */
+        key[i] = i < N - 500 ? i % 2 : i * M / N;
+    for (int call = 0; call < 3; call++)
+        halve_apart(N, key, own, h);
+    CASE_PRINT(own);
+    CASE_PRINT(h);
     return 0;
 }
