@@ -229,9 +229,9 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
-/* Seconds to record an iteration's touches, beyond its slice. */
+/* Seconds to record an iteration's touches and its end, beyond its slice. */
 static double time_of_records(const struct inspection *inspection) {
-    return 3 * inspection->each.records * LEARN_TOUCH;
+    return 3 * (inspection->each.records + 1) * LEARN_TOUCH;
 }
 
 static struct slice_seconds time_of_slice(const struct inspection *inspection) {
@@ -399,6 +399,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .tiled = findings.tiled,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified,
+                                  .measured = findings.slice.compared > 0,
                                   .kept = {[WAY_DIRECT] = KEPT_FITS}};
     return redcc_pick_way(&chooser->state, &now, arm, findings.spent);
 }
