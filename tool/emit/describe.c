@@ -190,6 +190,7 @@ static bool may_time_first_iterations(loop_text *loop) {
 
 static const char *flags_text(loop_text *loop) {
     const bool prefetches = loop->plan->prefetch.ahead > 0;
+    const bool is_fenced = loop->plan->execution.may_end_in_order;
     const struct {
         bool is_set;
         const char *name;
@@ -201,7 +202,8 @@ static const char *flags_text(loop_text *loop) {
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->facts->slice.may_abort, "REDCC_MAY_ABORT"},
                  {loop->facts->inspector.exists, "REDCC_SELECTS"},
-                 {loop->plan->execution.may_end_in_order, "REDCC_FENCED"},
+                 {is_fenced && !has_series(loop->facts), "REDCC_FENCED"},
+                 {is_fenced && has_series(loop->facts), "REDCC_FENCED_SERIES"},
                  {!loop->facts->inspector.exists, "REDCC_NO_INSPECTOR"},
                  {loop->outline.tile_call, "REDCC_TILES"},
                  {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},

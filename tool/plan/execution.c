@@ -130,12 +130,20 @@ static bool is_over_blocks(const loop_plan *plan) {
     return has_blocks;
 }
 
+/** Is each scalar with a series a variable? Reading it is then harmless, even if the loop adds
+ *  nothing to it. */
+static bool are_series_of_variables(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (facts->scalars[i].is_series && facts->scalars[i].target->kind != IR_VARIABLE)
+            return false;
+    return true;
+}
+
 /** May the first iterations be executed by owners, as long as none updates what the loop reads, and
- * the others in order (runtime/src/ownership/fences.h)? Series must not need a second execution of
- * iterations whose reads were updated. */
+ * the others in order (runtime/src/ownership/fences.h)? */
 static bool may_end_in_order(const loop_facts *facts) {
-    return facts->inspector.exists && !has_values_from_before(facts) && !has_series(facts) &&
-           !facts->slice.exits && !facts->slice.may_abort;
+    return facts->inspector.exists && !has_values_from_before(facts) &&
+           are_series_of_variables(facts) && !facts->slice.exits && !facts->slice.may_abort;
 }
 
 void plan_execution(loop_plan *plan) {

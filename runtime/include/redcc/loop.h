@@ -393,16 +393,30 @@ enum { redcc__has_hulls = 0 };
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__source_mask = 0;                                                    \
+        const int redcc__unmapped = redcc_are_unmapped(redcc__worker);                             \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
-        if (redcc__has_hulls && redcc_are_unmapped(redcc__worker))                                 \
-            REDCC_CLASSIFY_BY(1, redcc_selects, redcc_call_of_slice)                               \
-        else                                                                                       \
-            REDCC_CLASSIFY_BY(0, redcc_selects, redcc_call_of_slice)                               \
+        if (redcc__has_hulls && redcc__unmapped)                                                   \
+            for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++)      \
+                REDCC_CLASSIFY_ONE(1, redcc_selects, redcc_call_of_slice)                          \
+        else {                                                                                     \
+            int redcc__alike = REDCC_SETTLED; /* number of consecutive iterations of this class */ \
+            for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {    \
+                if (!redcc__has_hulls && redcc__unmapped && redcc__alike >= REDCC_SETTLED)         \
+                    REDCC_CLASSIFY_ALIKE(redcc_selects, redcc_call_of_slice)                       \
+                if (redcc__k == redcc__worker->last)                                               \
+                    break;                                                                         \
+                REDCC_CLASSIFY_ONE(0, redcc_selects, redcc_call_of_slice)                          \
+                redcc__alike = redcc__class[redcc__k - redcc__worker->first] ==                    \
+                                       REDCC_CLASS_ALIKE(redcc_selects)                            \
+                                   ? redcc__alike + 1                                              \
+                                   : 0;                                                            \
+            }                                                                                      \
+        }                                                                                          \
         redcc_store_classes(redcc__worker, redcc__class, redcc__k);                                \
     }
-/* Two loops, so that the one by hulls needs no calls. */
-#define REDCC_CLASSIFY_BY(redcc_hull, redcc_selects, redcc_call_of_slice)                          \
-    for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {            \
+/* By hulls no calls are needed. */
+#define REDCC_CLASSIFY_ONE(redcc_hull, redcc_selects, redcc_call_of_slice)                         \
+    {                                                                                              \
         redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0, 0, redcc_hull};                   \
         redcc_probe *const redcc__probe = &redcc__seen;                                            \
         redcc_call_of_slice;                                                                       \
@@ -410,6 +424,19 @@ enum { redcc__has_hulls = 0 };
             break;                                                                                 \
         redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);              \
     }
+/* Consecutive iterations that only touch elements of this thread: one comparison for each touch or
+ * read, and no calls. Such an iteration leaves no fence, and this thread leads. */
+#define REDCC_CLASSIFY_ALIKE(redcc_selects, redcc_call_of_slice)                                   \
+    for (; redcc__k < redcc__worker->last; redcc__k++) {                                           \
+        redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0, 0, 0};                                        \
+        redcc_probe *const redcc__probe = &redcc__seen;                                            \
+        redcc_call_of_slice;                                                                       \
+        if (!redcc_is_alike(&redcc__seen))                                                         \
+            break;                                                                                 \
+        redcc__class[redcc__k - redcc__worker->first] = REDCC_CLASS_ALIKE(redcc_selects);          \
+    }
+#define REDCC_CLASS_ALIKE(redcc_selects)                                                           \
+    (REDCC_CLASS_OWN | ((redcc_selects) == 2 ? REDCC_CLASS_LEADS : 0))
 /** Has no owner of an array a map? */
 REDCC_INLINE int redcc_are_unmapped(const redcc_worker *worker) {
     unsigned a = 0;

@@ -160,7 +160,7 @@ REDCC_INLINE void redcc_inspect_touch(redcc_probe *probe, redcc_worker *worker, 
     int *const inside = probe ? &probe->inside : &worker->inside;
     if (window->map || redcc_leaves(window->first, window->size, address, bytes))
         redcc_inspect_outside(probe, worker, array, address, bytes);
-    else
+    else if (!probe || bytes > 0)
         *inside = 1;
 }
 static __attribute__((__noinline__, __unused__)) void

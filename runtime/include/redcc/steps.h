@@ -267,7 +267,7 @@ REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *work
         redcc_select_touch(probe, worker, array, address, bytes);
         return;
     }
-    probe->inside = 1;
+    probe->inside |= bytes > 0; /* as in redcc_select_touch */
     probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 

@@ -205,7 +205,9 @@ enum {
     /** The first iterations may be executed by owners and the remaining ones in order, because no
      *  value that an update might change is read before the loop or kept until its end. So threads
      *  may find out during the execution (REDCC_SELECT) which iteration first leaves a fence. */
-    REDCC_FENCED = 268435456
+    REDCC_FENCED = 268435456,
+    /** Replaces REDCC_FENCED in a loop with series (series.h). */
+    REDCC_FENCED_SERIES = 536870912
 };
 
 enum {
