@@ -123,12 +123,12 @@ static void update_demand(self_collision *s, int n, double h, const double (*x)[
 
 /* Runs in parallel at the beginning of a round: marks velocities that changed since the last round,
  * and computes the impulses that pairs need. Most pairs need none, and the sequential part skips
- * them. */
-static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
-                           const double (*v)[3]) {
+ * them. Returns the first pair that needs one: no velocity changes before it. */
+static int evaluate_pairs(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     self_history *history = &s->history;
+    int first = s->pair_count;
     history->round_start = ++history->now;
-#pragma omp parallel
+#pragma omp parallel reduction(min : first)
     {
 #pragma omp for schedule(static)
         for (int i = 0; i < s->mesh->vertex_count; i++)
@@ -141,8 +141,11 @@ static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
             update_demand(s, n, h, x, v);
             if (!(history->demand[n].change > 0))
                 history->pair[n] = history->now;
+            else
+                first = n < first ? n : first;
         }
     }
+    return first;
 }
 
 /* Gives pair n the impulse that it needs. Returns the change of the normal velocity, m/s. */
@@ -172,8 +175,8 @@ static double push_pair(self_collision *s, const movable *of, int n, double h, c
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work) {
     double largest = 0;
-    evaluate_pairs(s, h, x, (const double(*)[3])v);
-    for (int n = 0; n < s->pair_count; n++)
+    const int first = evaluate_pairs(s, h, x, (const double(*)[3])v);
+    for (int n = first; n < s->pair_count; n++)
         if (!is_quiet(s, n))
             largest = fmax(largest, push_pair(s, of, n, h, x, v, work));
     memcpy(s->history.v, v, sizeof *v * (size_t)s->mesh->vertex_count);
