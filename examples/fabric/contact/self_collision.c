@@ -13,6 +13,9 @@
 static const double separation_rate = 0.25;
 /* Pairs that would pass keep this fraction of their distance, or of the gap. */
 static const double kept_part = 0.1;
+/* Threads take this number of pairs at once. Pairs that may meet take a hundred times as long as
+ * the others, and they come together. */
+enum { PAIRS_AT_ONCE = 64 };
 
 /* Assigns each vertex and each edge to the first of its triangles. */
 static int share_out(self_collision *s) {
@@ -134,7 +137,7 @@ static int evaluate_pairs(self_collision *s, double h, const double (*x)[3], con
         for (int i = 0; i < s->mesh->vertex_count; i++)
             if (memcmp(v[i], history->v[i], sizeof v[i]) != 0)
                 history->vertex[i] = history->now;
-#pragma omp for schedule(static)
+#pragma omp for schedule(dynamic, PAIRS_AT_ONCE)
         for (int n = 0; n < s->pair_count; n++) {
             if (is_quiet(s, n))
                 continue;
@@ -211,7 +214,7 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
     s->left = 1;
     if (self_grid_find(s, h, x, v, s->gap) != 0)
         return -1;
-#pragma omp parallel for schedule(static) reduction(+ : passing)
+#pragma omp parallel for schedule(dynamic, PAIRS_AT_ONCE) reduction(+ : passing)
     for (int n = 0; n < s->pair_count; n++)
         passing += self_collision_passes(s, &s->pair[n], h, x, v);
     s->left = passing;
