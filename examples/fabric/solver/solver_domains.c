@@ -98,7 +98,7 @@ typedef struct progress {
 } progress;
 
 /* Decides whether another iteration follows one whose direction p had this p . image. */
-static void judge(progress *p, double curvature, double goal, long most) {
+static void decide(progress *p, double curvature, double goal, long most) {
     p->goes_on = 0;
     if (!isfinite(curvature))
         p->status = SOLVER_NOT_FINITE;
@@ -157,7 +157,7 @@ static void finish_iteration(domain_solver *d, const domain_share *own, double g
 #pragma omp barrier
     p->square = solver_sum(d->sum_residual, d->count);
     p->iterations++;
-    judge(p, curvature, goal, most);
+    decide(p, curvature, goal, most);
     const double beta = p->square / before;
     if (p->goes_on)
         sweep_direction(d, own, &beta, p->iterations);
@@ -190,7 +190,7 @@ static solver_status iterate(domain_solver *d, double square, double goal, long 
                              long *iterations) {
     progress all = {.square = square};
     begin(d);
-    judge(&all, 1, goal, most);
+    decide(&all, 1, goal, most);
     while (all.goes_on) {
         if (d->has_between)
             add_between(d);
