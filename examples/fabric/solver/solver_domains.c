@@ -114,7 +114,7 @@ static void decide(progress *p, double curvature, double goal, long most) {
         p->goes_on = 1;
 }
 
-static void sweep_one(domain_solver *d, int domain, const double *beta, long pass) {
+static void sweep_one(domain_solver *d, int domain, const double *beta, unsigned pass) {
     if (beta)
         domain_update_direction(d, domain, *beta);
     domain_sweep_direction(d, domain);
@@ -126,7 +126,7 @@ static void sweep_one(domain_solver *d, int domain, const double *beta, long pas
  * one that the next thread waits for is the first. */
 static void sweep_direction(domain_solver *d, const domain_share *own, const double *beta,
                             long iterations) {
-    const long pass = 2 * iterations + 1;
+    const unsigned pass = 2 * (unsigned)iterations + 1;
     for (int domain = first_odd(own); domain < own->end; domain += 2)
         sweep_one(d, domain, beta, pass);
     for (int domain = last_even(own); domain >= own->first; domain -= 2) {
@@ -140,7 +140,7 @@ static void sweep_direction(domain_solver *d, const domain_share *own, const dou
 static double finish_image(domain_solver *d, const domain_share *own, long iterations) {
     for (int domain = own->first; domain < own->end; domain++) {
         if (domain % 2)
-            domain_turn_await(d->turn, domain, 2 * iterations + 2);
+            domain_turn_await(d->turn, domain, 2 * (unsigned)iterations + 2);
         d->sum_direction[domain] = domain_finish_image(d, domain);
     }
 #pragma omp barrier

@@ -14,8 +14,9 @@
 typedef struct domain_turn {
     int first, last;    /* the neighbours: every second domain from `first` to `last`, if has_any */
     int has_any;        /* is there a neighbour? */
-    atomic_long passes; /* number of the last pass that is complete */
-    char apart[64 - 24]; /* keeps what threads wait for in different cache lines */
+    atomic_uint passes; /* number of the last pass that is complete */
+    atomic_int asleep;  /* number of threads that sleep until a pass is complete */
+    char apart[64 - 20]; /* keeps what threads wait for in different cache lines */
 } domain_turn;
 
 /** Extends the range of neighbours to this domain. */
@@ -26,9 +27,9 @@ void domain_turn_add_neighbour(domain_turn *turn, int domain);
 void domain_turns_begin(domain_turn *turn, int count);
 
 /** Waits until all neighbours of the domain have completed this pass. turn: [domains] */
-void domain_turn_await(const domain_turn *turn, int domain, long pass);
+void domain_turn_await(domain_turn *turn, int domain, unsigned pass);
 
 /** Ends a domain's pass. What the calling thread wrote before is seen by all that wait for it. */
-void domain_turn_end(domain_turn *turn, long pass);
+void domain_turn_end(domain_turn *turn, unsigned pass);
 
 #endif
