@@ -31,20 +31,20 @@ typedef struct team_level {
 } team_level;
 
 typedef struct team {
-    int most;   /* number of threads of level 0; level l has most >> l threads. 0: nothing to
-                 * choose */
-    int levels; /* number of levels; the last level has one thread */
-    int level;  /* the chosen level */
-    int trial;  /* level of the current round; equal to `level` unless the round is a trial */
-    int upward; /* the next trial uses more threads */
-    int ended;  /* the current trial took too long: the round continues at the chosen level */
+    int most;     /* number of threads of level 0; level l has most >> l threads. 0: nothing to
+                   * choose */
+    int levels;   /* number of levels; the last level has one thread */
+    int level;    /* the chosen level */
+    int trial;    /* level of the current round; equal to `level` unless the round is a trial */
+    int upward;   /* the next trial uses more threads */
+    int ended;    /* the current trial took too long: the round continues at the chosen level */
     int confirms; /* the last trial was faster, and the next one is the second */
     int rested;   /* number of rounds since the last trial */
     team_level at[TEAM_LEVELS];
     team_level between; /* the round before a second trial */
-    double begun;    /* s, time at which the current round began */
-    double expected; /* s, expected time of the current round */
-    double credit;   /* s that trials may lose */
+    double begun;       /* s, time at which the current round began */
+    double expected;    /* s, expected time of the current round */
+    double credit;      /* s that trials may lose */
     long last_iterations;
 } team;
 
