@@ -9,7 +9,7 @@ shift
 source "$(dirname "$0")/app_common.sh"
 
 # Threads that wait sleep soon, unless the user has said how they wait.
-expect 0 "GOMP_SPINCOUNT = '4000'" env -u OMP_WAIT_POLICY -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose \
+expect 0 "GOMP_SPINCOUNT = '1000'" env -u OMP_WAIT_POLICY -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose \
   "$parallel" run patch --steps 1 --frames 0 --progress none -o waiting
 expect 0 "GOMP_SPINCOUNT = '77'" env -u OMP_WAIT_POLICY GOMP_SPINCOUNT=77 OMP_DISPLAY_ENV=verbose \
   "$parallel" run patch --steps 1 --frames 0 --progress none -o waiting

@@ -6,8 +6,8 @@
 
 void waiting_is_short(char **argv) {
 #ifdef _OPENMP
-    /* About 80 us, which is what waking a thread costs: neither choice wastes much more. */
-    static const char spins[] = "4000";
+    /* libgomp's own value when there are more threads than cores. */
+    static const char spins[] = "1000";
     if (!getenv("OMP_WAIT_POLICY") && !getenv("GOMP_SPINCOUNT") &&
         setenv("GOMP_SPINCOUNT", spins, 1) == 0)
         execv("/proc/self/exe", argv);
