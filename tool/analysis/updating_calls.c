@@ -2,6 +2,7 @@
 #include "analysis/updating_calls.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/loop/conflict.h"
 
 typedef struct listing {
@@ -32,12 +33,25 @@ static bool only_reads(const listing *l, const ir_node *argument) {
     return is_fine;
 }
 
-static bool updates(listing *l, const ir_node *call) {
+/* Is the loop refused because a call in it has side effects? */
+static bool is_refused_for_call(const listing *l) {
+    const loop_search *s = l->search;
+    for (unsigned i = l->from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].loop == l->loop && s->verdicts.items[i].kind == VERDICT_REFUSE &&
+            s->verdicts.items[i].why.id == REASON_IMPURE_CALL)
+            return true;
+    return false;
+}
+
+/* Would the body in place of the call help: does it update an element, or check something? */
+static bool is_wanted(listing *l, const ir_node *call) {
     const analyser *an = l->search->an;
     access_list list = {0};
-    bool is_found = false;
-    if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
+    const ir_function *function = ir_called_function(call);
+    if (!function || !function->body)
         return false;
+    bool is_found = loop_exits_has_check(function->body);
+    l->is_shared |= is_found && is_refused_for_call(l);
     access_collect_known(an->effects, call, &list);
     for (unsigned i = 0; i < list.items.count; i++)
         if (is_update(l, &list.items.items[i])) {
@@ -60,9 +74,11 @@ static bool is_written(const listing *l, const ir_node *node) {
 
 static void list_below(listing *l, const ir_node *node) {
     const ir_node *statement = expression_place(node);
+    if (statement && statement->kind == IR_DECLARATOR)
+        statement = statement->parent;
     if (is_written(l, node))
         return;
-    if (node->kind == IR_CALL && updates(l, node) && statement)
+    if (node->kind == IR_CALL && is_wanted(l, node) && statement)
         VECTOR_PUSH(l->search->an->memory, l->search->calls,
                     ((updating_call){l->search->function, (ir_node *)statement}));
     for (unsigned i = 0; i < node->child_count; i++)
