@@ -33,7 +33,7 @@ static int add_below(vector *a, int i, double x) {
     return 0;
 }
 int updated_element(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+    for (int t = 0; t < n; t++) // EXPECT: refuse return
         if (add_below(a, k[t], w[t]))
             return t;
     return n;
@@ -44,7 +44,7 @@ static int add_then_check(vector *a, int i, double x) {
     return a->p[i] > 1e9;
 }
 int after_the_update(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+    for (int t = 0; t < n; t++) // EXPECT: refuse return
         if (add_then_check(a, k[t], w[t]))
             return t;
     return n;
@@ -71,24 +71,19 @@ static int add_and_count(vector *a, int i, double x) {
     return failures > 3;
 }
 int global_variable(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+    for (int t = 0; t < n; t++) // EXPECT: refuse return
         if (add_and_count(a, k[t], w[t]))
             return t;
     return n;
 }
 
 static void add_again(vector *a, int i, double x) {
-    if (i >= a->n) {
-        fprintf(stderr, "%d\n", i);
-        add_again(a, i - a->n, x);
-        return;
-    }
     if (i > 100)
         add_again(a, i - 100, x);
     a->p[i] += x;
 }
 void recursion(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+    for (int t = 0; t < n; t++) // EXPECT: refuse recursion
         add_again(a, k[t], w[t]);
 }
 
@@ -111,13 +106,13 @@ static int add_or_fail(vector *a, int i, double x) {
 }
 /* The call is executed under a condition, twice, or decides whether another loop goes on. */
 int under_a_condition(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+    for (int t = 0; t < n; t++) // EXPECT: refuse return
         if (w[t] > 0 && add_or_fail(a, k[t], w[t]))
             return t;
     return n;
 }
 int twice(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+    for (int t = 0; t < n; t++) // EXPECT: refuse return
         if (add_or_fail(a, k[t], w[t]) + add_or_fail(a, k[t] / 2, 1.0))
             return t;
     return n;
@@ -138,7 +133,7 @@ static int failed(vector *a, int i) {
     return i % 2;
 }
 int message_in_the_condition(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
+    for (int t = 0; t < n; t++) { // EXPECT: refuse return
         if (failed(a, k[t]))
             return t;
         a->p[k[t]] += w[t];
@@ -151,6 +146,6 @@ static void add_asserted(vector *a, int i, double x) {
     assert(a->p[i] < 1e9);
 }
 void assertion_of_an_update(vector *a, int n, const int *k, const double *w) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
         add_asserted(a, k[t], w[t]);
 }

@@ -114,13 +114,23 @@ static bool is_stateful(const ir_function *function) {
     return effect && strncmp(effect, "writes memory", 13) != 0;
 }
 
-/* Does the statement print or keep state, itself or in functions that it calls? The branches of
+/* Does the node write an element or a member, not of a local variable? */
+static bool writes_memory(const ir_node *node) {
+    const ir_node *written = expression_written(node);
+    const ir_variable *root = written ? ir_root_variable(written) : NULL;
+    return written && written->kind != IR_VARIABLE &&
+           !(root && variable_is_automatic(root) && root->type->kind == IR_ARRAY);
+}
+
+/* Does the statement print or keep state, itself or in functions that it calls? A function that
+ * updates elements is not called for its messages. The branches of
  * inner `if` statements in the loop's own text are not searched here; find_exits examines them
  * separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;
-        if (function->body ? depth < DEEPEST_MESSAGE && has_message(function->body, depth + 1)
+        if (function->body ? depth < DEEPEST_MESSAGE && !ir_any(function->body, writes_memory) &&
+                                 has_message(function->body, depth + 1)
                            : is_stateful(function))
             return true;
     }
