@@ -22,6 +22,29 @@ static bool is_update(const listing *l, const access *a) {
     return !object || !variable_is_automatic(object);
 }
 
+/* Does an inner loop of the function update elements? */
+static bool updates_in_loop(const access_list *list) {
+    for (unsigned i = 0; i < list->items.count; i++)
+        if (list->items.items[i].kind == ACCESS_UPDATE)
+            return true;
+    return false;
+}
+
+/* Is a scalar of the caller written, which the call gets by address? */
+static bool writes_local(const access_list *list) {
+    for (unsigned i = 0; i < list->items.count; i++) {
+        const access *a = &list->items.items[i];
+        const ir_node *target = a->kind == ACCESS_READ ? NULL : a->lvalue;
+        if (target && target->kind == IR_UNARY && target->op == IR_OP_DEREFERENCE &&
+            ir_is_address_of(target->children[0]))
+            target = target->children[0]->children[0];
+        if (target && target->kind == IR_VARIABLE && variable_is_automatic(target->variable) &&
+            ir_type_is_scalar(target->type))
+            return true;
+    }
+    return false;
+}
+
 /* Does the argument only read, so that the order in which arguments are evaluated does not matter?
  */
 static bool only_reads(const listing *l, const ir_node *argument) {
@@ -33,26 +56,30 @@ static bool only_reads(const listing *l, const ir_node *argument) {
     return is_fine;
 }
 
-/* Is the loop refused because a call in it has side effects? */
-static bool is_refused_for_call(const listing *l) {
+/* Is the loop refused for this reason? */
+static bool is_refused_for(const listing *l, reason_id why) {
     const loop_search *s = l->search;
     for (unsigned i = l->from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].loop == l->loop && s->verdicts.items[i].kind == VERDICT_REFUSE &&
-            s->verdicts.items[i].why.id == REASON_IMPURE_CALL)
+            s->verdicts.items[i].why.id == why)
             return true;
     return false;
 }
 
-/* Would the body in place of the call help: does it update an element, or check something? */
+/* Would the body in place of the call help: does it update an element, check something, or set a
+ * variable? */
 static bool is_wanted(listing *l, const ir_node *call) {
     const analyser *an = l->search->an;
     access_list list = {0};
     const ir_function *function = ir_called_function(call);
     if (!function || !function->body)
         return false;
-    bool is_found = loop_exits_has_check(function->body);
-    l->is_shared |= is_found && is_refused_for_call(l);
     access_collect_known(an->effects, call, &list);
+    bool is_found =
+        (loop_exits_has_check(function->body) && is_refused_for(l, REASON_IMPURE_CALL)) ||
+        (writes_local(&list) && is_refused_for(l, REASON_SCALAR_CARRIED)) ||
+        (updates_in_loop(&list) && is_refused_for(l, REASON_CALLEE_UPDATES));
+    l->is_shared |= is_found;
     for (unsigned i = 0; i < list.items.count; i++)
         if (is_update(l, &list.items.items[i])) {
             is_found = true;

@@ -186,6 +186,15 @@ static ir_node *call_among(const ir_node *node, bool *is_plain) {
     return *is_plain ? found : NULL;
 }
 
+/* Is it `x = ...` with a variable that the called function may know? It is stored after the call.
+ */
+static bool stores_variable(const ir_node *node) {
+    const ir_type *type = node->children[0]->type;
+    return node->op == IR_OP_NONE && node->children[0]->kind == IR_VARIABLE && type &&
+           ir_type_is_scalar(type) && !type->is_volatile && !type->is_atomic &&
+           node->children[0]->variable->storage != IR_THREAD_LOCAL;
+}
+
 /* The value of the only variable that the declaration declares, in a block; NULL if it has another
  * form. */
 static const ir_node *only_value_declared(const ir_node *declaration) {
@@ -211,7 +220,7 @@ ir_node *call_in_statement(const ir_node *statement) {
         node = node->children[0];
     if (!node || node->kind == IR_CALL)
         return node;
-    return node->kind == IR_ASSIGN && is_own_scalar(node->children[0])
+    return node->kind == IR_ASSIGN && (is_own_scalar(node->children[0]) || stores_variable(node))
                ? call_among(node->children[1], &is_plain)
                : NULL;
 }

@@ -14,7 +14,7 @@
 ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
                             const ir_node *statement);
 
-/** The call in a statement `f(...);`, or in `x = ...;` with an own scalar x, `int x = ...;` or
+/** The call in a statement `f(...);`, or in `x = ...;` with a variable x, `int x = ...;` or
  * `if (...)`, where the value or condition contains one call, and otherwise only numbers and own
  * scalars. NULL if the statement has another form. */
 ir_node *call_in_statement(const ir_node *statement);

@@ -8,6 +8,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expandable_call.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/returns.h"
 #include "ir/ir_accessors.h"
 #include "support/vector.h"
@@ -44,13 +45,15 @@ static bool is_object_address(const ir_node *argument) {
     return object->kind == IR_VARIABLE && variable_is_automatic(object->variable);
 }
 
-/* Does the function use the parameter p only as *p or p->m, as an argument of another call, or, if
- * the argument is_object_address, in comparisons with NULL? */
+/* Does the function use the parameter p only as *p or p->m, as an argument of another call, where
+ * the program ends, or, if the argument is_object_address, in comparisons with NULL? */
 static bool is_only_followed(const ir_node *node, const ir_variable *parameter, bool is_object) {
     const ir_node *compared = is_object ? compared_with_null(node) : NULL;
     if (compared && expression_is_variable(compared, parameter))
         return true;
     for (unsigned i = 0; i < node->child_count; i++) {
+        if (i == 1 && loop_exits_ends_program(node))
+            continue;
         if (!expression_is_variable(node->children[i], parameter)) {
             if (!is_only_followed(node->children[i], parameter, is_object))
                 return false;
@@ -219,6 +222,12 @@ static ir_node *null_comparison(copying *c, const ir_node *node) {
     return result;
 }
 
+/* The statement that ends the program. The messages before it may name the caller's variables by
+ * address. They are not needed, since no iteration executes this exit of the loop (loop_exits.h). */
+static const ir_node *last_of(const ir_node *branch) {
+    return branch->kind == IR_BLOCK ? last_of(branch->children[branch->child_count - 1]) : branch;
+}
+
 static ir_node *copied(copying *c, const ir_node *node) {
     const ir_node *argument = argument_for(c, node);
     ir_node *comparison = null_comparison(c, node);
@@ -239,7 +248,8 @@ static ir_node *copied(copying *c, const ir_node *node) {
     copy->text = node->text;
     copy->value = node->value;
     for (unsigned i = 0; i < node->child_count; i++) {
-        copy->children[i] = copied(c, node->children[i]);
+        const bool is_end = i == 1 && loop_exits_ends_program(node);
+        copy->children[i] = copied(c, is_end ? last_of(node->children[i]) : node->children[i]);
         is_replaced |= argument_for(c, node->children[i]) != NULL;
     }
     spell_value(c, copy);
