@@ -46,7 +46,7 @@ static bool put_back(const analysis_result *analysed, const expanded_list *calls
 }
 
 static bool is_about_call(reason_id why) {
-    return why == REASON_CALLEE_UPDATES || why == REASON_IMPURE_CALL;
+    return why == REASON_CALLEE_UPDATES || why == REASON_IMPURE_CALL || why == REASON_NO_RETURN;
 }
 
 /* Adds to the message about a call the reason why the loop is refused with the body in its place.

@@ -60,10 +60,23 @@ static bool only_reads(const listing *l, const ir_node *argument) {
 static bool is_refused_for(const listing *l, reason_id why) {
     const loop_search *s = l->search;
     for (unsigned i = l->from; i < s->verdicts.count; i++)
-        if (s->verdicts.items[i].loop == l->loop && s->verdicts.items[i].kind == VERDICT_REFUSE &&
-            s->verdicts.items[i].why.id == why)
-            return true;
+        if (s->verdicts.items[i].loop == l->loop && s->verdicts.items[i].kind == VERDICT_REFUSE)
+            return s->verdicts.items[i].why.id == why;
     return false;
+}
+
+/* May a check in a called function be why the loop is refused? A loop without a verdict, around a
+ * loop that is refused, may be refused for it, too. */
+static bool is_refused_for_check(const listing *l) {
+    const loop_search *s = l->search;
+    bool is_around = false;
+    for (unsigned i = l->from; i < s->verdicts.count; i++) {
+        const loop_verdict *verdict = &s->verdicts.items[i];
+        if (verdict->loop == l->loop)
+            return is_refused_for(l, REASON_IMPURE_CALL) || is_refused_for(l, REASON_NO_RETURN);
+        is_around |= verdict->kind == VERDICT_REFUSE && ir_contains(l->loop, verdict->loop);
+    }
+    return is_around;
 }
 
 /* Would the body in place of the call help: does it update an element, check something, or set a
@@ -76,7 +89,7 @@ static bool is_wanted(listing *l, const ir_node *call) {
         return false;
     access_collect_known(an->effects, call, &list);
     bool is_found =
-        (loop_exits_has_check(function->body) && is_refused_for(l, REASON_IMPURE_CALL)) ||
+        (loop_exits_has_check(function->body) && is_refused_for_check(l)) ||
         (writes_local(&list) && is_refused_for(l, REASON_SCALAR_CARRIED)) ||
         (updates_in_loop(&list) && is_refused_for(l, REASON_CALLEE_UPDATES));
     l->is_shared |= is_found;
