@@ -171,7 +171,8 @@ static void checked_update(kernel *k) {
     const char *name = new_name(k, "checked"), *function = new_name(k, "function");
     const char *e = new_name(k, "e"), *failure = failures[below(k, LENGTH(failures))];
     const bool is_never = failure == failures[3];
-    put(k, &k->globals, "int printf(const char *, ...);\nstatic double %s[%d];\n", name, k->elements);
+    put(k, &k->globals, "int printf(const char *, ...);\nstatic double %s[%d];\n", name,
+        k->elements);
     put(k, &k->globals, "static int %s(double *a, int n, int i, double x, int rare) {\n", function);
     put(k, &k->globals, "    if (!a || i < 0 || i >= n%s) {\n        %s\n    }\n",
         is_never ? "" : " || rare", failure);

@@ -88,10 +88,9 @@ static bool is_wanted(listing *l, const ir_node *call) {
     if (!function || !function->body)
         return false;
     access_collect_known(an->effects, call, &list);
-    bool is_found =
-        (loop_exits_has_check(function->body) && is_refused_for_check(l)) ||
-        (writes_local(&list) && is_refused_for(l, REASON_SCALAR_CARRIED)) ||
-        (updates_in_loop(&list) && is_refused_for(l, REASON_CALLEE_UPDATES));
+    bool is_found = (loop_exits_has_check(function->body) && is_refused_for_check(l)) ||
+                    (writes_local(&list) && is_refused_for(l, REASON_SCALAR_CARRIED)) ||
+                    (updates_in_loop(&list) && is_refused_for(l, REASON_CALLEE_UPDATES));
     l->is_shared |= is_found;
     for (unsigned i = 0; i < list.items.count; i++)
         if (is_update(l, &list.items.items[i])) {

@@ -131,8 +131,7 @@ static bool is_hidden(const ir_unit *unit, const ir_function *caller, const char
 static bool is_before(const ir_declared *declared, const ir_function *caller, bool is_imported) {
     if (!declared)
         return !is_imported;
-    return declared->file || !caller->is_in_main_file ||
-           declared->offset < caller->range.begin;
+    return declared->file || !caller->is_in_main_file || declared->offset < caller->range.begin;
 }
 
 /* Do the names of file-scope objects and functions in the body mean the same in the caller? */

@@ -125,7 +125,8 @@ static bool can_replace(const ir_node *argument, const ir_variable *parameter,
         variable_is_written_in(body, parameter) || !stays(argument, false))
         return false;
     if (points_alike(argument->type, parameter->type))
-        return argument->kind == IR_VARIABLE || is_only_followed(body, parameter, is_object_address(argument)) ||
+        return argument->kind == IR_VARIABLE ||
+               is_only_followed(body, parameter, is_object_address(argument)) ||
                (argument->type->kind == IR_ARRAY &&
                 stays_inside(body, parameter, argument->type->count));
     return (argument->kind == IR_VARIABLE || argument->kind == IR_NUMBER) &&
@@ -141,7 +142,7 @@ typedef struct copying {
     const ir_node *statement, *call;
     const ir_node *assigned; /* the assignment of the result in an `if` statement's condition, once
                               * it has been copied */
-    ir_node **arguments; /* indexed by parameter; NULL if a variable replaces the parameter */
+    ir_node **arguments;     /* indexed by parameter; NULL if a variable replaces the parameter */
     VECTOR(const ir_variable *) old;
     VECTOR(ir_variable *) added; /* added.items[i] replaces old.items[i] */
 } copying;
@@ -223,7 +224,8 @@ static ir_node *null_comparison(copying *c, const ir_node *node) {
 }
 
 /* The statement that ends the program. The messages before it may name the caller's variables by
- * address. They are not needed, since no iteration executes this exit of the loop (loop_exits.h). */
+ * address. They are not needed, since no iteration executes this exit of the loop (loop_exits.h).
+ */
 static const ir_node *last_of(const ir_node *branch) {
     return branch->kind == IR_BLOCK ? last_of(branch->children[branch->child_count - 1]) : branch;
 }
@@ -404,10 +406,9 @@ expanded_call expanded_call_take_in(ir_unit *unit, ir_function *caller, ir_node 
         if (can_replace(call->children[i + 1], function->parameters[i], function->body))
             c.arguments[i] = call->children[i + 1];
     const bool is_declaration = statement->kind == IR_DECLARATION;
-    const bool is_used = statement->kind != IR_EXPRESSION ||
-                         statement->children[0]->kind == IR_ASSIGN;
-    ir_variable *result =
-        is_used ? add_variable(&c, "result", function->type->target, NULL) : NULL;
+    const bool is_used =
+        statement->kind != IR_EXPRESSION || statement->children[0]->kind == IR_ASSIGN;
+    ir_variable *result = is_used ? add_variable(&c, "result", function->type->target, NULL) : NULL;
     ir_node *parent = statement->parent;
     expanded_call done = {.caller = caller,
                           .statement = statement,

@@ -209,12 +209,12 @@ static bool is_truth_value(const ir_node *node) {
 /* The negation of an `if` statement's condition. */
 static const ir_node *negated(arena *a, const ir_node *tested) {
     ir_node *not = ir_new(a, IR_UNARY, tested->type, 1);
-    not->op = IR_OP_NOT;
-    not->range = tested->range;
-    not->flags = tested->flags & (IR_FROM_MACRO | IR_FROM_CALL);
-    not->id = tested->id;
-    not->children[0] = (ir_node *)tested;
-    return not;
+    not ->op = IR_OP_NOT;
+    not ->range = tested->range;
+    not ->flags = tested->flags & (IR_FROM_MACRO | IR_FROM_CALL);
+    not ->id = tested->id;
+    not ->children[0] = (ir_node *)tested;
+    return not ;
 }
 
 /* Adds the exit. `otherwise` is the statement's branch that stays. */
@@ -224,9 +224,9 @@ static void add(search *s, ir_node *statement, const ir_node *tested, bool is_ne
     const bool is_other = otherwise && otherwise == statement->children[1];
     const ir_node *condition = is_other ? negated(s->memory, tested) : tested;
     const bool is_kept = !expression_is_plain(condition); /* a call may write variables, too */
-    const bool is_shared = otherwise || statement->flags & IR_FROM_CALL ||
-                           !has_own_bytes(statement) ||
-                           (is_kept && !is_negated && !has_branch_of_own_bytes(statement, condition));
+    const bool is_shared =
+        otherwise || statement->flags & IR_FROM_CALL || !has_own_bytes(statement) ||
+        (is_kept && !is_negated && !has_branch_of_own_bytes(statement, condition));
     if (found->count == LOOP_MOST_EXITS || ir_any(condition, is_beyond_evaluation) ||
         statement->parent->kind != IR_BLOCK || (is_kept && is_negated)) {
         s->is_over = true;

@@ -30,8 +30,9 @@ bool loop_exits_ends_program(const ir_node *node);
  *  too many. */
 loop_exits *loop_exits_find(arena *a, const ir_node *body);
 
-/** Replaces each exit by `if (condition) continue;`, with the exit's other branch. The exits have no parents while they are
- *  removed. This function and loop_exits_put_back do nothing if `exits` is NULL. */
+/** Replaces each exit by `if (condition) continue;`, with the exit's other branch. The exits have
+ * no parents while they are removed. This function and loop_exits_put_back do nothing if `exits` is
+ * NULL. */
 void loop_exits_take_out(const loop_exits *exits);
 void loop_exits_put_back(const loop_exits *exits);
 
