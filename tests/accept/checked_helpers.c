@@ -168,6 +168,24 @@ __attribute__((noinline)) static void by_assertion(vector *a, int n) {
         add_asserted(a, k[t] < 0 ? 0 : k[t], w[t]);
 }
 
+/* Arrays are never NULL, which compilers know. */
+double shared[M];
+static void add_to(double *a, int i, double x) {
+    if (!a || (a && i >= M) || a == NULL)
+        exit(7);
+    a[i] += x;
+}
+__attribute__((noinline)) static void of_arrays(int n) {
+    double own[M] = {0};
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = k[t] < 0 ? 0 : k[t];
+        add_to(elements, i % M, w[t]);
+        add_to(shared, i % M, w[t]);
+        add_to(own, i % M, w[t]);
+    }
+    elements[1] += own[2];
+}
+
 static void run(const char *name) {
     int results[4];
     results[0] = by_result(&all, N);
@@ -181,6 +199,8 @@ static void run(const char *name) {
     by_helpers(&all, N);
     by_branches(&all, N);
     by_assertion(&all, N);
+    of_arrays(N);
+    CASE_PRINT(shared);
     case_print(name, results, sizeof results);
     case_print("elements", elements, sizeof elements);
     fflush(stdout);

@@ -42,7 +42,27 @@ static bool is_object_address(const ir_node *argument) {
     while ((object->kind == IR_MEMBER && !(object->flags & IR_ARROW)) ||
            (object->kind == IR_INDEX && ir_is_array(object->children[0])))
         object = object->children[0];
-    return object->kind == IR_VARIABLE && variable_is_automatic(object->variable);
+    return object->kind == IR_VARIABLE && !object->variable->has_other_name &&
+           (variable_is_automatic(object->variable) || object->variable->storage == IR_STATIC ||
+            object->variable->storage == IR_STATIC_LOCAL);
+}
+
+/* Does the function test whether the parameter is NULL? Compilers warn of such tests of arrays. If
+ * `is_object` is set, comparisons do not count, since their results replace them. */
+static bool is_tested(const ir_node *node, const ir_variable *parameter, bool is_object) {
+    const ir_node *compared = compared_with_null(node);
+    if (compared && expression_is_variable(compared, parameter))
+        return !is_object;
+    const bool is_truth =
+        node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR);
+    const bool is_condition = node->kind == IR_IF || node->kind == IR_CONDITIONAL ||
+                              node->kind == IR_WHILE || node->kind == IR_FOR ||
+                              node->kind == IR_DO || is_truth;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if ((is_condition && expression_is_variable(node->children[i], parameter)) ||
+            is_tested(node->children[i], parameter, is_object))
+            return true;
+    return false;
 }
 
 /* Does the function use the parameter p only as *p or p->m, as an argument of another call, where
@@ -122,7 +142,9 @@ static bool points_alike(const ir_type *from, const ir_type *to) {
 static bool can_replace(const ir_node *argument, const ir_variable *parameter,
                         const ir_node *body) {
     if (parameter->address_taken || parameter->type->is_volatile ||
-        variable_is_written_in(body, parameter) || !stays(argument, false))
+        variable_is_written_in(body, parameter) || !stays(argument, false) ||
+        (argument->type->kind == IR_ARRAY &&
+         is_tested(body, parameter, is_object_address(argument))))
         return false;
     if (points_alike(argument->type, parameter->type))
         return argument->kind == IR_VARIABLE ||
