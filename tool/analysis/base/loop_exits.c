@@ -208,13 +208,13 @@ static bool is_truth_value(const ir_node *node) {
 
 /* The negation of an `if` statement's condition. */
 static const ir_node *negated(arena *a, const ir_node *tested) {
-    ir_node *not = ir_new(a, IR_UNARY, tested->type, 1);
-    not ->op = IR_OP_NOT;
-    not ->range = tested->range;
-    not ->flags = tested->flags & (IR_FROM_MACRO | IR_FROM_CALL);
-    not ->id = tested->id;
-    not ->children[0] = (ir_node *)tested;
-    return not ;
+    ir_node *opposite = ir_new(a, IR_UNARY, tested->type, 1);
+    opposite->op = IR_OP_NOT;
+    opposite->range = tested->range;
+    opposite->flags = tested->flags & (IR_FROM_MACRO | IR_FROM_CALL);
+    opposite->id = tested->id;
+    opposite->children[0] = (ir_node *)tested;
+    return opposite;
 }
 
 /* Adds the exit. `otherwise` is the statement's branch that stays. */
