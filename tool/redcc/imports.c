@@ -116,7 +116,7 @@ typedef struct calls {
 
 static bool note_call(ir_node *node, void *context) {
     calls *c = context;
-    const ir_function *function = node->kind == IR_FUNCTION ? node->function : NULL;
+    const ir_function *function = node->function; /* also of a block that replaces a call */
     if (!function || c->is_noted[function->id])
         return true;
     c->is_noted[function->id] = true;

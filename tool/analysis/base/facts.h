@@ -322,11 +322,15 @@ enum { MOST_STEPPED = 4 };
 typedef struct loop_exit {
     ir_node *statement;
     ir_node *rest;
-    const ir_node *condition;
-    ir_node *holder; /* parent of the condition in the statement */
-    ir_node *parent; /* block of the statement */
-    bool is_negated; /* the loop is left if the condition does not hold */
-    bool is_kept;    /* the condition may assign variables, so that iterations evaluate it, too */
+    const ir_node *condition; /* of `rest` */
+    const ir_node *tested;    /* of the statement; `condition` negates it if the other branch leaves
+                               */
+    ir_node *otherwise;       /* the branch that stays, or NULL; `rest` has it, too */
+    ir_node *holder;          /* parent of `tested` in the statement */
+    ir_node *parent;          /* block of the statement */
+    bool is_negated;          /* the loop is left if the condition does not hold */
+    bool is_kept;   /* the condition may assign variables, so that iterations evaluate it, too */
+    bool is_shared; /* a macro call, or a call that is expanded, has the same bytes */
 } loop_exit;
 
 enum { LOOP_MOST_EXITS = 8 };

@@ -17,13 +17,22 @@
  *  expression is none. */
 const ir_node *assertion_condition(const ir_node *expression);
 
+/** Does the function's body contain an `if` whose branch prints or ends the program? If so, the
+ *  body in place of a call has an exit. */
+bool loop_exits_has_check(const ir_node *body);
+
+/** Is the node an `if` whose branch ends the program? If it is removed as an exit, nothing of the
+ *  branch is written again. */
+bool loop_exits_ends_program(const ir_node *node);
+
 /** Finds all exits of a loop with this body. NULL if an exit cannot be removed (its condition has
  *  effects other than assignments to automatic variables, or it is not in a block), or if there are
  *  too many. */
 loop_exits *loop_exits_find(arena *a, const ir_node *body);
 
-/** Replaces each exit by `if (condition) continue;`. The exits have no parents while they are
- *  removed. This function and loop_exits_put_back do nothing if `exits` is NULL. */
+/** Replaces each exit by `if (condition) continue;`, with the exit's other branch. The exits have
+ * no parents while they are removed. This function and loop_exits_put_back do nothing if `exits` is
+ * NULL. */
 void loop_exits_take_out(const loop_exits *exits);
 void loop_exits_put_back(const loop_exits *exits);
 

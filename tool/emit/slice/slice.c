@@ -68,6 +68,8 @@ static bool before_statement(printer *p, const ir_node *statement) {
     const loop_exit *exit = loop_exit_at(facts->slice.exits, statement);
     if (exit) {
         write_exit(self, exit);
+        if (exit->otherwise)
+            print_statement(p, exit->otherwise);
         return true;
     }
     self->is_unconditional = is_unconditional(facts, statement);
