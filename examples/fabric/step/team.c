@@ -4,6 +4,7 @@
 #include "base/clock.h"
 
 #ifdef _OPENMP
+#include <assert.h>
 #include <omp.h>
 #endif
 
@@ -87,6 +88,7 @@ static double predicted(const team_level *at, long iterations) {
 
 /* Returns the level of the next round: that of a trial, or the chosen one if no trial is due. */
 static int next_trial(const team *t) {
+    assert(t->level >= 0 && t->level < t->levels);
     const int other = t->level + (t->upward ? -1 : 1);
     const team_level *at = &t->at[t->level];
     if (at->rounds < SETTLED || other < 0 || other >= t->levels)
@@ -125,6 +127,7 @@ static void take_in(team_level *at, const team_round *round) {
 
 /* Evaluates a trial: chooses its level, or makes the next trial go in the other direction. */
 static void evaluate_trial(team *t, const team_round *round) {
+    assert(t->trial != t->level && t->trial < t->levels);
     team_level *at = &t->at[t->trial];
     const double expected = predicted(&t->at[t->level], round->iterations);
     const double loss = round->seconds - expected;
