@@ -443,7 +443,6 @@ bool plan_has_leaders(const loop_plan *plan) {
 }
 
 const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop) {
-    assert(ir_is_loop(loop));
     for (unsigned i = 0; i < plan->skip_count; i++)
         if (plan->skips[i].loop == loop && !plan->skips[i].declined)
             return &plan->skips[i];
