@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "team.h"
 
+#include <assert.h>
+
 #include "base/clock.h"
 
 #ifdef _OPENMP
-#include <assert.h>
 #include <omp.h>
 #endif
 
