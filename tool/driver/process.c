@@ -91,11 +91,14 @@ int process_run(arena *a, const word_list *words, process_streams streams) {
     sigprocmask(SIG_SETMASK, &before, NULL);
     if (pid < 0)
         return 127;
-    int status;
-    while (waitpid(pid, &status, 0) < 0)
-        if (errno != EINTR)
-            return 127;
+    int status = 0;
+    pid_t ended;
+    do
+        ended = waitpid(pid, &status, 0);
+    while (ended < 0 && errno == EINTR);
     child = 0;
+    if (ended < 0)
+        return 127;
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }
 

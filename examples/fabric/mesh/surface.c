@@ -270,7 +270,7 @@ double surface_distance(const surface *s, const double p[3], double normal[3]) {
             take_triangle(s, s->order[node->first + n], p, &best);
         if (node->count > 0)
             continue;
-        assert(size + 2 <= DEEPEST + 2);
+        assert(size <= DEEPEST);
         const int left_nearer =
             box_square(&s->node[node->first], p) <= box_square(&s->node[node->first + 1], p);
         stack[size++] = node->first + left_nearer; /* the nearer one on top */
