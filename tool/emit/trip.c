@@ -9,6 +9,7 @@
  * compares differently in an unsigned type than in redcc_int; if a variable stride is less than 1;
  * if a do loop has a single iteration because its first value does not satisfy the condition.
  */
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -103,6 +104,7 @@ typedef struct header {
 } header;
 
 static header header_of(arena *a, const counted_loop *counted) {
+    assert(counted->step != 0 && (!counted->stride || counted->step == 1 || counted->step == -1));
     header h = {
         .counted = counted, .counter = counted->counter->type, .bound = counted->bound->type};
     const integer_type common = common_type(promote(h.counter), promote(h.bound));

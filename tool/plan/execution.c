@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/execution.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "plan/in_order.h"
 #include "plan/lookup.h"
@@ -90,6 +92,7 @@ static bool holds_update(const loop_facts *facts, const ir_node *node) {
 static bool has_search(const loop_facts *facts, const ir_node *node) {
     if (ir_is_expression(node))
         return ir_has_kind(node, IR_CALL);
+    assert(node->id < facts->function->node_count);
     if (!facts->slice.holds[node->id])
         return false;
     if (ir_is_loop(node) && !holds_update(facts, node))
@@ -103,6 +106,7 @@ static bool has_search(const loop_facts *facts, const ir_node *node) {
 /** Returns the innermost loop around a statement of the body, or NULL if there is none. Loops with
  * constant bounds, over the components of a vector, do not count. */
 static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
+    assert(ir_contains(facts->loop, node));
     for (; node != facts->loop; node = node->parent) {
         const ir_variable *counter;
         int64_t first, last;

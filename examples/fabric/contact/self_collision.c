@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "self_collision.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,8 +121,10 @@ static int is_quiet(const self_collision *s, int n) {
 
 static void update_demand(self_collision *s, int n, double h, const double (*x)[3],
                           const double (*v)[3]) {
+    assert(n >= 0 && n < s->pair_count);
     self_demand *to = &s->history.demand[n];
     to->change = required_change(s, &s->pair[n], h, x, v, &to->contact);
+    assert(!(to->change < 0));
 }
 
 /* Runs in parallel at the beginning of a round: marks velocities that changed since the last round,

@@ -2,6 +2,7 @@
 /* The division of the matrix among the domains, and the domains' values. */
 #include "solver_domains_parts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@ int domain_count(int vertices) {
 }
 
 int domain_start(int vertices, int domain) {
+    assert(domain >= 0 && domain <= domain_count(vertices));
     return (int)((long long)vertices * domain / domain_count(vertices));
 }
 
@@ -127,6 +129,8 @@ domain_solver *domain_solver_divided(const block_matrix *A, int count, const int
                 d->domain[i] = k;
         if (lay_out(d, &d->within) == 0 && lay_out(d, &d->across) == 0 &&
             lay_out(d, &d->between) == 0 && lay_out_columns(d) == 0) {
+            assert(d->within.block_count + d->across.block_count + d->between.block_count ==
+                   A->block_count);
             /* `between` always has a diagonal. */
             d->has_between = d->between.block_count > A->row_count;
             find_neighbours(d);

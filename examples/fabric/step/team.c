@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "team.h"
 
+#include <assert.h>
+
 #include "base/clock.h"
 
 #ifdef _OPENMP
@@ -88,6 +90,7 @@ static double predicted(const team_level *at, long iterations) {
 
 /* Returns the level of the next round: that of a trial, or the chosen one if no trial is due. */
 static int next_trial(const team *t) {
+    assert(t->level >= 0 && t->level < t->levels);
     const int other = t->level + (t->upward ? -1 : 1);
     const team_level *at = &t->at[t->level];
     if (t->confirms && t->rested > 0)
@@ -142,6 +145,7 @@ static void change_direction(team *t, int better) {
 /* Evaluates a trial: chooses its level if it is the second one that is faster. Otherwise the next
  * trial goes in the other direction. */
 static void evaluate_trial(team *t, const team_round *round) {
+    assert(t->trial != t->level && t->trial < t->levels);
     team_level *at = &t->at[t->trial];
     const double expected = time_to_beat(t, round->iterations);
     const double loss = round->seconds - expected;

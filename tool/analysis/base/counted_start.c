@@ -2,6 +2,8 @@
 /* Analyses the initialisation in a for loop's header. */
 #include "analysis/base/counted_start.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
@@ -25,6 +27,7 @@ static bool mentions_start(const ir_node *node, const counted_loop *counted) {
 /* Is no variable set twice, and is no value computed from a variable that the initialisation
  * sets? */
 static bool starts_are_independent(const counted_loop *counted) {
+    assert(counted->lower && counted->bound);
     if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
         return false;
     for (unsigned i = 0; i < counted->start_count; i++) {
@@ -89,6 +92,7 @@ static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
 
 bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
                                counted_loop *counted) {
+    assert(declaration->kind == IR_DECLARATION);
     const ir_node *own = declarator_of(declaration, counted->counter);
     if (!own || !own->child_count)
         return false;

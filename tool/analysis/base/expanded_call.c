@@ -283,7 +283,7 @@ static ir_node *copied(copying *c, const ir_node *node) {
 
 static ir_node *declaration_of(copying *c, ir_variable *variable, ir_node *value) {
     ir_node *declaration = new_node(c, IR_DECLARATION, NULL, 1);
-    ir_node *declarator = new_node(c, IR_DECLARATOR, variable->type, value ? 1 : 0);
+    ir_node *declarator = new_node(c, IR_DECLARATOR, NULL, value ? 1 : 0);
     declarator->variable = variable;
     if (value)
         declarator->children[0] = value;

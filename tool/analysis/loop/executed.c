@@ -38,6 +38,8 @@ static bool is_counter(const loop_analysis *j, const ir_node *node) {
 
 static void add_comparison(const loop_analysis *j, limit_list *list, const ir_node *condition,
                            bool holds) {
+    assert(condition->kind == IR_BINARY && condition->op >= IR_OP_LESS &&
+           condition->op <= IR_OP_NOT_EQUAL);
     const ir_node *left = condition->children[0], *right = condition->children[1];
     const bool is_left = is_counter(j, left);
     if (!is_left && !is_counter(j, right))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/overlap/extent.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/counted.h"
@@ -365,6 +366,7 @@ static const element_bounds *constant_bounds(const loop_analysis *j, const loop_
         row->type->size <= 0 || !is_counter_and_constant(row->children[1]) ||
         !counted_range(row->children[1], &low.offset, &high.offset))
         return NULL;
+    assert(low.offset <= high.offset);
     element_bounds *bounds = ARENA_NEW(j->an->memory, element_bounds);
     *bounds = (element_bounds){.base = row->children[0],
                                .element = row->type,
@@ -431,6 +433,7 @@ static bool plan_found(const loop_analysis *j, const loop_access *read, source_p
     if (!variable || after->kind != IR_EXPRESSION)
         return false;
     ir_node *row = ir_substitute(j->an->memory, read->access.from, NULL, NULL);
+    assert(row->kind == IR_INDEX);
     row->children[1] = ir_substitute(j->an->memory, variable, NULL, NULL);
     row->children[1]->parent = row;
     plan->source.row = row;
@@ -455,6 +458,7 @@ static bool plan_search_end(const loop_analysis *j, const loop_access *read, con
 
 bool source_plans_of_search(const loop_analysis *j, const loop_access *read, source_plan *first,
                             source_plan *last) {
+    assert(read->access.from && read->access.to && read->access.node->kind == IR_CALL);
     const ir_node *base = read->where.base;
     const ir_node *call = read->access.node;
     if (!base || !is_fixed_base(j, base) || !can_be_spelled(j, base) ||
