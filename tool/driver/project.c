@@ -351,7 +351,8 @@ word_list project_list(arena *a, const char *path) {
     return own[0] == '/' ? list_files(a, path_folder(a, own)) : (word_list){0};
 }
 
-project_scan project_scan_files(arena *a, const word_list *files) {
+/* Reads the files, with a digest of each if `has_digests`. */
+static project_scan scan_files(arena *a, const word_list *files, bool has_digests) {
     project_scan all = {0};
     for (unsigned i = 0; i < files->count; i++) {
         size_t length;
@@ -360,12 +361,17 @@ project_scan project_scan_files(arena *a, const word_list *files) {
             continue;
         project_file file = {.path = files->items[i]};
         digester d = digest_begin();
-        digest_text(&d, text);
+        if (has_digests)
+            digest_text(&d, text);
         file.contents = digest_end(&d);
         scan(a, &file, text, strlen(text));
         VECTOR_PUSH(a, &all, file);
     }
     return all;
+}
+
+project_scan project_scan_files(arena *a, const word_list *files) {
+    return scan_files(a, files, true);
 }
 
 project *project_from(arena *a, const char *path, const project_scan *files) {
@@ -380,7 +386,7 @@ project *project_from(arena *a, const char *path, const project_scan *files) {
 
 project *project_around(arena *a, const char *path) {
     const word_list list = project_list(a, path);
-    const project_scan files = project_scan_files(a, &list);
+    const project_scan files = scan_files(a, &list, false);
     return project_from(a, path, &files);
 }
 
