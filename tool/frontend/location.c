@@ -124,8 +124,8 @@ void place_node(converter *c, ir_node *node, CXCursor cursor) {
 
 /* ---- texts --------------------------------------------------------------------------------- */
 
-/* What is known about a file. To answer a question about a file, clang searches all macro expansions
- * of the program for it. So each question is asked once. */
+/* What is known about a file. To answer a question about a file, clang searches all macro
+ * expansions of the program for it. So each question is asked once. */
 typedef struct known_file {
     bool has_text, has_kind, is_scanned;
     file_text text;
