@@ -202,6 +202,7 @@ static const char *flags_text(loop_text *loop) {
                  {loop->facts->slice.may_abort, "REDCC_MAY_ABORT"},
                  {loop->facts->inspector.exists, "REDCC_SELECTS"},
                  {loop->plan->execution.may_end_in_order, "REDCC_FENCED"},
+                 {loop->continues, "REDCC_CONTINUES"},
                  {!loop->facts->inspector.exists, "REDCC_NO_INSPECTOR"},
                  {loop->outline.tile_call, "REDCC_TILES"},
                  {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},

@@ -168,11 +168,22 @@ static const char *count_text(arena *a, const header *h) {
     return arena_format(a, h->inclusive ? "(%s) / %s + 1" : "(%s - 1) / %s + 1", span, h->stride);
 }
 
-static const char *final_text(arena *a, const header *h) {
+static const char *final_text(arena *a, const header *h, const char *count) {
     const char *sign = h->ascends ? "+" : "-";
     if (!h->stride)
-        return arena_format(a, "redcc__lower %s redcc__trip", sign);
-    return arena_format(a, "redcc__lower %s %s * redcc__trip", sign, h->stride);
+        return arena_format(a, "redcc__lower %s %s", sign, count);
+    return arena_format(a, "redcc__lower %s %s * %s", sign, h->stride, count);
+}
+
+const char *counter_after(loop_text *loop) {
+    const header h = header_of(loop->arena, &loop->facts->counted);
+    if (!loop->continues)
+        return "redcc__final";
+    const char *value = final_text(loop->arena, &h, "redcc__made");
+    return h.counted->steps_first /* the condition of the next iteration steps it again */
+               ? arena_format(loop->arena, "%s %c (redcc__made < redcc__trip)", value,
+                              h.ascends ? '-' : '+')
+               : value;
 }
 
 static const char *first_text(loop_text *loop, const header *h) {
@@ -253,6 +264,7 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
         ; /* REDCC_COUNT_UP has declared redcc__final */
     else if (entry.text.length > before || has_affine_extents(loop) ||
              counter_outlives(loop->facts))
-        writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
+        writer_line(out, "const redcc_int redcc__final = %s;",
+                    final_text(loop->arena, &h, "redcc__trip"));
     return buffer_take(loop->arena, &entry.text);
 }

@@ -70,7 +70,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
  * the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
-    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                        \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                     \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
@@ -204,6 +204,11 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
      (int)__builtin_expect(redcc_run(REDCC_INTERFACE, &(redcc_site), &redcc__attempt,              \
                                      redcc_member, &redcc__context),                               \
                            0))
+
+/** For REDCC_CONTINUES, before REDCC_EXECUTED: redcc__made becomes the number of iterations that
+ * are executed. REDCC_MADE is that number in the function that each thread executes. */
+#define REDCC_MAY_CONTINUE redcc__attempt.made = &redcc__made
+#define REDCC_MADE redcc__worker->call->trip
 
 /** For REDCC_SECTIONED. REDCC_SECTIONS declares the sections of all arrays. REDCC_SECTION sets that
  * of array number redcc_i: the redcc_length elements of redcc_array from element redcc_lower on. */

@@ -205,7 +205,10 @@ enum {
     /** The first iterations may be executed by owners and the remaining ones in order, because no
      *  value that an update might change is read before the loop or kept until its end. So threads
      *  may find out during the execution (REDCC_SELECT) which iteration first leaves a fence. */
-    REDCC_FENCED = 268435456
+    REDCC_FENCED = 268435456,
+    /** If an iteration leaves the loop, the iterations before it may be executed, because the
+     * original loop can continue at any iteration (redcc_attempt.made). */
+    REDCC_CONTINUES = 536870912
 };
 
 enum {
@@ -237,6 +240,8 @@ enum {
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
  * (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
+/** Passed to `is_stale`, with REDCC_CONTINUES, if iteration worker->first leaves the loop. */
+#define REDCC_ENDS 0xfffffffeu
 
 /** A loop as the translator describes it. There is one static object for each. */
 typedef struct redcc_loop {

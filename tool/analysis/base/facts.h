@@ -327,6 +327,7 @@ typedef struct loop_exit {
     ir_node *parent; /* block of the statement */
     bool is_negated; /* the loop is left if the condition does not hold */
     bool is_kept;    /* the condition may assign variables, so that iterations evaluate it, too */
+    bool is_message; /* the loop may continue after the branch, which prints */
 } loop_exit;
 
 enum { LOOP_MOST_EXITS = 8 };

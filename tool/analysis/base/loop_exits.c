@@ -172,7 +172,8 @@ static bool has_branch_of_own_bytes(const ir_node *statement, const ir_node *con
            branch->end <= statement->range.end;
 }
 
-static void add(search *s, ir_node *statement, const ir_node *condition, bool is_negated) {
+static void add(search *s, ir_node *statement, const ir_node *condition, bool is_negated,
+                bool is_message) {
     loop_exits *found = s->found;
     const bool is_kept = !expression_is_plain(condition); /* a call may write variables, too */
     if (found->count == LOOP_MOST_EXITS || ir_any(condition, is_beyond_evaluation) ||
@@ -183,6 +184,7 @@ static void add(search *s, ir_node *statement, const ir_node *condition, bool is
     }
     ir_node *rest = ir_new(s->memory, IR_IF, NULL, 2);
     ir_node *end = ir_new(s->memory, IR_CONTINUE, NULL, 0);
+    end->flags = IR_LEAVES;
     rest->id = statement->id;
     rest->parent = statement->parent;
     rest->range = end->range = (ir_range){statement->range.begin, statement->range.begin};
@@ -196,7 +198,8 @@ static void add(search *s, ir_node *statement, const ir_node *condition, bool is
                                                .holder = condition->parent,
                                                .parent = statement->parent,
                                                .is_negated = is_negated,
-                                               .is_kept = is_kept};
+                                               .is_kept = is_kept,
+                                               .is_message = is_message};
 }
 
 /* The condition that the statement asserts, as an expression or as the last part of a sequence
@@ -217,13 +220,15 @@ static const ir_node *asserted_by(const ir_node *statement) {
 static void find_exits(search *s, ir_node *node, bool break_leaves) {
     const ir_node *condition = ir_is_loop(node) ? NULL : asserted_by(node);
     if (condition) {
-        add(s, node, condition, true);
+        add(s, node, condition, true, false);
         return;
     }
-    if (node->kind == IR_IF && node->child_count == 2 &&
-        (branch_leaves(node->children[1], break_leaves) || is_with_message(node))) {
-        add(s, node, node->children[0], false);
-        return;
+    if (node->kind == IR_IF && node->child_count == 2) {
+        const bool leaves = branch_leaves(node->children[1], break_leaves);
+        if (leaves || is_with_message(node)) {
+            add(s, node, node->children[0], false, !leaves);
+            return;
+        }
     }
     if (ir_is_loop(node) || node->kind == IR_SWITCH)
         break_leaves = false;
@@ -275,6 +280,15 @@ void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
         rest->kind = are_hidden ? IR_BLOCK : IR_IF;
         rest->child_count = are_hidden ? 0 : 2;
     }
+}
+
+bool loop_exits_mention(const loop_exits *exits, const ir_variable *variable) {
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        const ir_node *statement = exits->items[i].statement;
+        if (statement->kind == IR_IF && expression_mentions(statement->children[1], variable))
+            return true;
+    }
+    return false;
 }
 
 const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement) {
