@@ -175,8 +175,10 @@ static uint32_t write_parallel_form(loop_text *loop, writer *out, uint32_t begin
     declare_live_outs(loop, out);
     declare_conditional_live_outs(loop, out);
     writer_line(out, "int redcc__done = 0;");
-    if (loop->continues)
+    if (loop->continues) {
         writer_line(out, "redcc_int redcc__made = redcc__trip;");
+        writer_line(out, "REDCC_OVER_AT_JUMPS(%s);", outlined_name(loop, "site"));
+    }
     const char *loaded = write_loads(loop, out);
     writer_line(out, "if (%s%s%s) {", replaced_condition(loop), entry, loaded);
     out->depth++;

@@ -294,6 +294,15 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
             redcc__calls->sequential_end(&(redcc_site).binned.loop);                               \
     } while (0);
 
+/** As REDCC_OVER, for a loop that a jump may leave: declares a variable at whose scope's end,
+ * however it is left, the runtime is told. */
+#define REDCC_OVER_AT_JUMPS(redcc_of)                                                              \
+    redcc_site *redcc__left __attribute__((__unused__, __cleanup__(redcc_left_by_jump))) =         \
+        &(redcc_of)
+REDCC_INLINE void redcc_left_by_jump(redcc_site **site) {
+    REDCC_OVER(**site)
+}
+
 #include <redcc/slice.h>
 
 /* ---- the body ------------------------------------------------------------------------------ */
