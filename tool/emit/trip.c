@@ -227,8 +227,12 @@ static const char *bound_text(loop_text *loop, const header *h) {
 /** Writes the trip count. A variable stride is evaluated only if the loop would evaluate it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
+    const loop_exits *exits = loop->facts->slice.exits;
     if (!h->counted->stride) {
-        writer_line(out, "redcc__trip = %s ? %s : 0;", ends, count);
+        writer_line(out,
+                    exits && exits->open ? "redcc__trip = %s ? REDCC_OPEN(%s) : 0;"
+                                         : "redcc__trip = %s ? %s : 0;",
+                    ends, count);
         return;
     }
     writer_line(out, "redcc__stride = %s ? (redcc_int)%s : 0,", ends,
@@ -244,7 +248,8 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     require(&ends, "%s", comparison_text(&h));
     const bool counts_up =
         !h.stride && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
-    if (counts_up && !h.inclusive) {
+    const bool is_open = loop->facts->slice.exits && loop->facts->slice.exits->open;
+    if (counts_up && !h.inclusive && !is_open) {
         writer_line(out, "REDCC_COUNT_UP(%s, %s);",
                     macro_argument(loop->arena, lower_text(loop, &h)),
                     macro_argument(loop->arena, bound_text(loop, &h)));
@@ -260,10 +265,10 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
             loop->facts->has_short_iterations ? "_LIGHT" : "", site);
     const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
-    if (counts_up)
+    if (counts_up && !is_open)
         ; /* REDCC_COUNT_UP has declared redcc__final */
     else if (entry.text.length > before || has_affine_extents(loop) ||
-             counter_outlives(loop->facts))
+             (counter_outlives(loop->facts) && !loop->continues))
         writer_line(out, "const redcc_int redcc__final = %s;",
                     final_text(loop->arena, &h, "redcc__trip"));
     return buffer_take(loop->arena, &entry.text);

@@ -188,11 +188,12 @@ static uint32_t write_parallel_form(loop_text *loop, writer *out, uint32_t begin
     /* not `if (!redcc__done)`: compilers would warn of an ambiguous `else` in the loop */
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
-    if (loop->continues) {
+    const bool is_open = loop->facts->slice.exits && loop->facts->slice.exits->open;
+    if (loop->continues && !is_open) {
         writer_line(out, "}");
         writer_line(out, "if (redcc__done && redcc__made == redcc__trip) {");
     }
-    writer_line(out, "} else");
+    writer_line(out, is_open ? "}" : "} else");
     if (loop->facts->variables.openmp)
         write_sequential_copy(loop, out);
     if (loop->continues)
@@ -270,6 +271,8 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     loop_loads_take_out(loop.facts->variables.loads);
     set_names(&loop);
     loop.continues = loop.plan->execution.may_continue && !has_branches(&loop);
+    if (!loop.continues && loop.facts->slice.exits && loop.facts->slice.exits->open)
+        loop_obstacle(&loop, whole->range, "it has no bound, and directives in its text");
     write_front(&loop, form, front);
     if (!front->text) {
         loop_loads_put_back(loop.facts->variables.loads);

@@ -6,6 +6,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/library.h"
+#include "analysis/base/open_loop.h"
 #include "analysis/base/stateful.h"
 
 /* ---- assertions ------------------------------------------------------------------------------ */
@@ -250,6 +251,8 @@ static void exchange(ir_node *parent, const ir_node *old, ir_node *new) {
 }
 
 void loop_exits_take_out(const loop_exits *exits) {
+    if (exits)
+        open_loop_limit(exits->open);
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const loop_exit *it = &exits->items[i];
         assert(it->parent && it->rest && it->statement->parent == it->parent);
@@ -267,6 +270,8 @@ void loop_exits_put_back(const loop_exits *exits) {
         it->statement->parent = it->parent;
         ((ir_node *)it->condition)->parent = it->holder;
     }
+    if (exits)
+        open_loop_restore(exits->open);
 }
 
 void loop_exits_hide(const loop_exits *exits, bool are_hidden) {

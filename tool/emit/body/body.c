@@ -367,6 +367,8 @@ static void drop_exits(body_copy *copy) {
     const loop_exits *exits = copy->loop->facts->slice.exits;
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const ir_node *exit = exits->items[i].statement;
+        if (exit->kind == IR_EMPTY) /* the exit of a loop without a bound has no text in the body */
+            continue;
         if (exits->items[i].is_kept)
             exit = exit->children[1];
         replace_bytes(copy, exit->range.begin, syntax_statement_end(copy->loop->unit->source, exit),
@@ -395,6 +397,8 @@ static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
+    if (loop->facts->slice.exits && loop->facts->slice.exits->open)
+        VECTOR_PUSH(loop->arena, &copy->printed, body);
     if (body->range.begin <= loop->facts->loop->range.begin) /* one macro expands to header and
                                                               * body */
         VECTOR_PUSH(loop->arena, &copy->printed, body);
