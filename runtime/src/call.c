@@ -372,7 +372,8 @@ static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *
     enum reason reason;
     /* fails if another thread is executing the loop */
     if (state && redcc_loop_acquire(state, loop, false, &reason)) {
-        redcc_note_sequential(&state->reported.statistics, trip, seconds);
+        redcc_note_sequential(&state->reported.statistics, trip < REDCC_OPEN_TRIP ? trip : 0,
+                              seconds);
         redcc_inform_auto(state, loop,
                           &(struct outcome){.result = RESULT_SEQUENTIAL,
                                             .trip = trip,

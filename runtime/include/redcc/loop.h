@@ -96,10 +96,8 @@ REDCC_INLINE int redcc_hide_context(void *context) {
                     redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
 
-/** The trip count of a loop without a bound: at most 2^30. The original loop continues afterwards.
- */
-#define REDCC_OPEN(redcc_count)                                                                    \
-    ((redcc_count) < ((redcc_int)1 << 30) ? (redcc_count) : (redcc_int)1 << 30)
+/** The trip count of a loop without a bound. The original loop continues after these iterations. */
+#define REDCC_OPEN(redcc_count) ((redcc_count) < REDCC_OPEN_TRIP ? (redcc_count) : REDCC_OPEN_TRIP)
 
 /** REDCC_FIRST_AND_LAST executes a statement twice: once for the rows that the first iteration
  * reads, and once for those that the last iteration reads. In that statement REDCC_FIRST_OR_LAST is

@@ -240,6 +240,8 @@ enum {
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
  * (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
+/** The trip count that is given for a loop without a bound. */
+#define REDCC_OPEN_TRIP ((redcc_int)1 << 30)
 /** Passed to `is_stale`, with REDCC_CONTINUES, if iteration worker->first leaves the loop. */
 #define REDCC_ENDS 0xfffffffeu
 
