@@ -46,6 +46,18 @@ __attribute__((noinline)) static int by_while(int n) {
     return t;
 }
 
+/* The iteration that leaves makes its update. */
+__attribute__((noinline)) static int updates_first(int n) {
+    int t = 0;
+    while (t < n) { // EXPECT: transformed
+        h[k[t] & 127] += w[t];
+        if (k[t] < 0)
+            break;
+        t++;
+    }
+    return t;
+}
+
 __attribute__((noinline)) static int by_do(int n) {
     int t = 0;
     do { // EXPECT: transformed
@@ -242,6 +254,7 @@ static void run(int n) {
     note(declared(n));
     note(outside(n));
     note(by_while(n));
+    note(updates_first(n));
     note(by_do(n));
     note(by_pointer(n));
     note(pointer_outside(n));

@@ -361,13 +361,12 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
  * evaluates the conditions of all of them. */
 static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
-    const loop_exits *exits = candidate_is_short(an->unit, ir_loop_body(loop))
-                                  ? NULL
-                                  : open_loop_find(an->memory, function, loop);
+    const loop_exits *exits = open_loop_find(an->memory, function, loop);
     if (!exits)
         return none;
     loop_exits_take_out(exits);
-    const loop_verdict found = analysed(an, function, loop, NULL, exits, NULL);
+    const bool is_short = candidate_is_short(an->unit, exits->open->block);
+    const loop_verdict found = is_short ? none : analysed(an, function, loop, NULL, exits, NULL);
     loop_exits_put_back(exits);
     return found.kind == VERDICT_TRANSFORM ? found : none;
 }
