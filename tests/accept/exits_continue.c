@@ -50,7 +50,7 @@ __attribute__((noinline)) static int by_while(int n) {
 __attribute__((noinline)) static int updates_first(int n) {
     int t = 0;
     while (t < n) { // EXPECT: transformed
-        h[k[t] & 127] += w[t];
+        h[k[t] < 0 ? 0 : k[t]] += w[t];
         if (k[t] < 0)
             break;
         t++;

@@ -7,8 +7,8 @@
 #include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
-#include "analysis/base/open_loop.h"
 #include "analysis/base/loop_loads.h"
+#include "analysis/base/open_loop.h"
 #include "analysis/base/openmp_loop.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
@@ -381,13 +381,15 @@ static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_nod
         analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
     if (found.kind != VERDICT_REFUSE)
         return found;
-    if (found.why.id == REASON_TRIP_COUNT || found.why.id == REASON_BREAK) {
+    loop_verdict staying = found;
+    if (is_about_leaving(found.why.id))
+        staying = analysed_staying(an, function, loop);
+    if (staying.why.id == REASON_TRIP_COUNT) {
         const loop_verdict open = analysed_open(an, function, loop);
         if (open.kind == VERDICT_TRANSFORM)
             return open;
     }
     if (is_about_leaving(found.why.id)) {
-        const loop_verdict staying = analysed_staying(an, function, loop);
         if (staying.kind != VERDICT_NOT_A_REDUCTION)
             return staying.kind == VERDICT_TRANSFORM ||
                            (staying.facts->counted.counter && !is_about_leaving(staying.why.id))
