@@ -144,7 +144,7 @@ static void end(struct loop_state *state) {
 static void take_request(struct request *request, redcc_int trip, void *const *bases,
                          const redcc_extent *known, const redcc_word *key) {
     const redcc_loop *loop = request->loop;
-    request->trip = trip;
+    request->trip = request->asked = trip;
     memcpy(request->bases, bases, loop->array_count * sizeof *bases);
     if (loop->source_count)
         memcpy(request->known, known, loop->source_count * sizeof *known);
@@ -372,7 +372,8 @@ static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *
     enum reason reason;
     /* fails if another thread is executing the loop */
     if (state && redcc_loop_acquire(state, loop, false, &reason)) {
-        redcc_note_sequential(&state->reported.statistics, trip, seconds);
+        redcc_note_sequential(&state->reported.statistics, trip < REDCC_OPEN_TRIP ? trip : 0,
+                              seconds);
         redcc_inform_auto(state, loop,
                           &(struct outcome){.result = RESULT_SEQUENTIAL,
                                             .trip = trip,
@@ -581,7 +582,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
 int redcc_end(redcc_call *call) {
     struct execution *execution = call->execution;
     const bool done = redcc_account(execution), asks_auto = !execution->call.method;
-    const redcc_int trip = execution->call.request.trip;
+    const redcc_int trip = execution->call.request.asked;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
         const bool goes_without = redcc_keeps_owners(execution) && !(plan && plan->method->tiles);

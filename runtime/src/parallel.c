@@ -98,6 +98,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         }
         redcc_end_in_order(site, attempt, member, context, beginning.done);
     }
+    if (loop->flags & REDCC_CONTINUES && attempt->made)
+        *attempt->made = shared.call.trip;
     redcc_sequential_done(loop);
     return 1;
 }

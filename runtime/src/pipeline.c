@@ -121,7 +121,8 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 }
 
 static enum stage after_dry_run(struct execution *execution) {
-    const enum reason reason = redcc_dry_run_finish(&execution->inspection);
+    const enum reason reason =
+        redcc_dry_run_finish(&execution->inspection, &execution->call.request.trip);
     execution->inspection.pace.deadline = 0;
     if (reason == REASON_DEADLINE) /* the deadline passed before a strategy was chosen */
         execution->inspection.route = ROUTE_SERIAL;

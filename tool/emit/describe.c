@@ -204,6 +204,7 @@ static const char *flags_text(loop_text *loop) {
                  {loop->facts->inspector.exists, "REDCC_SELECTS"},
                  {is_fenced && !has_series(loop->facts), "REDCC_FENCED"},
                  {is_fenced && has_series(loop->facts), "REDCC_FENCED_SERIES"},
+                 {loop->continues, "REDCC_CONTINUES"},
                  {!loop->facts->inspector.exists, "REDCC_NO_INSPECTOR"},
                  {loop->outline.tile_call, "REDCC_TILES"},
                  {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},

@@ -4,6 +4,7 @@
 #include <assert.h>
 
 #include "analysis/base/counted.h"
+#include "plan/continuation.h"
 #include "plan/in_order.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
@@ -161,6 +162,7 @@ void plan_execution(loop_plan *plan) {
         .needs_whole = needs_whole,
         .may_begin = !needs_whole && may_begin_in_order(facts),
         .may_end_in_order = may_end_in_order(facts),
+        .may_continue = may_continue_at_exits(facts),
         .is_over_blocks = is_over_blocks(plan),
         .work = work_of_iteration(plan),
         .order = plan->options->order};

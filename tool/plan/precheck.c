@@ -159,6 +159,19 @@ static void refuse(loop_plan *plan, const bool *is_suspect) {
                   facts->sources[first].name);
 }
 
+/** May the loop write what tells its end? The dry run would then read elements that the program
+ * does not read. Removes other suspects in this case. */
+static bool may_move_end(const loop_facts *facts, bool *is_suspect) {
+    bool is_found = false;
+    if (!facts->slice.exits || !facts->slice.exits->open)
+        return false;
+    for (unsigned i = 0; i < facts->source_count; i++)
+        is_found |= is_suspect[i] && facts->sources[i].is_subscript;
+    for (unsigned i = 0; is_found && i < facts->source_count; i++)
+        is_suspect[i] &= facts->sources[i].is_subscript;
+    return is_found;
+}
+
 void plan_precheck(loop_plan *plan) {
     assert(plan->precheck == PRECHECK_NONE && plan->has_ready_base);
     const loop_facts *facts = plan->facts;
@@ -167,6 +180,10 @@ void plan_precheck(loop_plan *plan) {
         plan->precheck = PRECHECK_OF_UPDATES;
     if (!unverified_has_suspects(plan, is_suspect))
         return;
+    if (may_move_end(facts, is_suspect)) {
+        refuse(plan, is_suspect);
+        return;
+    }
     if (harms_ahead(plan, is_suspect)) {
         refuse(plan, is_suspect);
         return;

@@ -8,7 +8,7 @@
 
 /** The version of the interface that this file, structures.h and parallel_steps.h share with the
  *  runtime. */
-enum { REDCC_INTERFACE = 5 };
+enum { REDCC_INTERFACE = 6 };
 
 /** A transformed loop. There is one static object for each; only the runtime writes to it. */
 typedef struct redcc_site {
@@ -36,6 +36,8 @@ typedef struct redcc_attempt {
     int threads; /* REDCC_TEAM: the number of threads that the program requests; 0: no request */
     const redcc_extent *sections; /* [array_count] for REDCC_SECTIONED: each array's section in
                                      OpenMP's clause `reduction`; else 0 */
+    redcc_int *made; /* with REDCC_CONTINUES: the number of iterations that were executed. It is
+                        `trip` before redcc_run, which lowers it if an iteration leaves the loop */
 } redcc_attempt;
 
 /** The function that each thread calls. It inspects, and later executes, the chunks of iterations

@@ -70,7 +70,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
  * the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
-    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                        \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                     \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
@@ -95,6 +95,9 @@ REDCC_INLINE int redcc_hide_context(void *context) {
     const redcc_int redcc__lower = redcc_lower, redcc__bound = redcc_bound,                        \
                     redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
+
+/** The trip count of a loop without a bound. The original loop continues after these iterations. */
+#define REDCC_OPEN(redcc_count) ((redcc_count) < REDCC_OPEN_TRIP ? (redcc_count) : REDCC_OPEN_TRIP)
 
 /** REDCC_FIRST_AND_LAST executes a statement twice: once for the rows that the first iteration
  * reads, and once for those that the last iteration reads. In that statement REDCC_FIRST_OR_LAST is
@@ -205,6 +208,11 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
                                      redcc_member, &redcc__context),                               \
                            0))
 
+/** For REDCC_CONTINUES, before REDCC_EXECUTED: redcc__made becomes the number of iterations that
+ * are executed. REDCC_MADE is that number in the function that each thread executes. */
+#define REDCC_MAY_CONTINUE redcc__attempt.made = &redcc__made
+#define REDCC_MADE redcc__worker->call->trip
+
 /** For REDCC_SECTIONED. REDCC_SECTIONS declares the sections of all arrays. REDCC_SECTION sets that
  * of array number redcc_i: the redcc_length elements of redcc_array from element redcc_lower on. */
 #define REDCC_SECTIONS(redcc_arrays)                                                               \
@@ -288,6 +296,15 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         if (redcc__calls && __atomic_load_n(redcc__calls->timed_loops, __ATOMIC_RELAXED))          \
             redcc__calls->sequential_end(&(redcc_site).binned.loop);                               \
     } while (0);
+
+/** As REDCC_OVER, for a loop that a jump may leave: declares a variable at whose scope's end,
+ * however it is left, the runtime is told. */
+#define REDCC_OVER_AT_JUMPS(redcc_of)                                                              \
+    redcc_site *redcc__left __attribute__((__unused__, __cleanup__(redcc_left_by_jump))) =         \
+        &(redcc_of)
+REDCC_INLINE void redcc_left_by_jump(redcc_site **site) {
+    REDCC_OVER(**site)
+}
 
 #include <redcc/slice.h>
 

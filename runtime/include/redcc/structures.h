@@ -207,7 +207,10 @@ enum {
      *  may find out during the execution (REDCC_SELECT) which iteration first leaves a fence. */
     REDCC_FENCED = 268435456,
     /** Replaces REDCC_FENCED in a loop with series (series.h). */
-    REDCC_FENCED_SERIES = 536870912
+    REDCC_FENCED_SERIES = 536870912,
+    /** If an iteration leaves the loop, the iterations before it may be executed, because the
+     * original loop can continue at any iteration (redcc_attempt.made). */
+    REDCC_CONTINUES = 1073741824
 };
 
 enum {
@@ -239,6 +242,10 @@ enum {
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
  * (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
+/** The trip count that is given for a loop without a bound. */
+#define REDCC_OPEN_TRIP ((redcc_int)1 << 30)
+/** Passed to `is_stale`, with REDCC_CONTINUES, if iteration worker->first leaves the loop. */
+#define REDCC_ENDS 0xfffffffeu
 
 /** A loop as the translator describes it. There is one static object for each. */
 typedef struct redcc_loop {

@@ -225,8 +225,18 @@ bool redcc_copies_allowed(const struct inspection *inspection) {
                              (size_t)inspection->call->planned);
 }
 
-static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
-    return redcc_usual(size_of(chooser, trip));
+/* Seconds of an iteration of the sequential loop. The learner's times are divided by the trip count
+ * with which the loop is entered; if it is left earlier, the iterations before take all the time.
+ */
+static double usual_iteration(const struct chooser *chooser, const struct request *request) {
+    return redcc_usual(size_of(chooser, request->asked)) * (double)request->asked /
+           (double)request->trip;
+}
+
+/* Converts the arms' seconds per iteration to those of the learner. */
+static void per_asked(struct arm *arm, const struct request *request) {
+    for (enum way way = 0; way < WAY_COUNT; way++)
+        arm[way].execution *= (double)request->trip / (double)request->asked;
 }
 
 /* Seconds to record an iteration's touches and its end, beyond its slice. */
@@ -255,7 +265,7 @@ static struct findings begin_findings(const struct chooser *chooser,
     return (struct findings){
         .trip = call->request.trip,
         .threads = call->planned,
-        .sequential = usual_iteration(chooser, call->request.trip),
+        .sequential = usual_iteration(chooser, &call->request),
         .spent = redcc_seconds() - call->entered,
         .touches = inspection->each.touches,
         .leading_rows = inspection->each.leading_rows,
@@ -277,7 +287,7 @@ static bool stealing_pays(const struct chooser *chooser, const struct call *call
     /* If the iterations of a block are scattered, reading their subscripts also loads subscripts of
      * other blocks. */
     return found->changes < LEARN_FREQUENT ||
-           usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
+           usual_iteration(chooser, &call->request) >= 4 * LEARN_ROW;
 }
 
 /* ---- after the sample ------------------------------------------------------------------------ */
@@ -386,12 +396,13 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);
+    per_asked(arm, &call->request);
     if (entry->alone) { /* a plan that pays is constructed in a later call */
-        redcc_note_arms(&chooser->state, findings.trip, arm, findings.spent);
+        redcc_note_arms(&chooser->state, call->request.asked, arm, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
     const bool is_dry = call->request.loop->flags & REDCC_DRY_RUN;
-    const struct situation now = {.trip = findings.trip,
+    const struct situation now = {.trip = call->request.asked,
                                   .threads = call->planned,
                                   .wake = redcc_wake_seconds(),
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
@@ -443,7 +454,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
 
 void redcc_advise_check(const struct advice *entry, struct inspection *inspection) {
     const struct call *call = inspection->call;
-    const double most = LEARN_SHARE * entry->usual * (double)call->request.trip;
+    const double most = LEARN_SHARE * entry->usual * (double)call->request.asked;
     if (call->method || entry->may_lose == 0 || most == 0)
         return;
     set_deadline(inspection, most);

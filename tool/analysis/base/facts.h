@@ -329,15 +329,30 @@ typedef struct loop_exit {
     ir_node *holder;          /* parent of `tested` in the statement */
     ir_node *parent;          /* block of the statement */
     bool is_negated;          /* the loop is left if the condition does not hold */
+    bool is_message;          /* the loop may continue after the branch, which prints */
     bool is_kept;   /* the condition may assign variables, so that iterations evaluate it, too */
     bool is_shared; /* a macro call, or a call that is expanded, has the same bytes */
 } loop_exit;
 
 enum { LOOP_MOST_EXITS = 8 };
 
+/** A loop without an upper bound (open_loop.h), and the nodes that stand for its condition and its
+ *  body while it is analysed and its code is generated. */
+typedef struct open_loop {
+    ir_node *loop;
+    ir_node **place;    /* where the loop has its condition */
+    ir_node *header;    /* the node there */
+    ir_node *condition; /* NULL: the loop has no condition */
+    ir_node *negation;  /* !condition */
+    ir_node *limited;   /* compares the counter with a limit */
+    ir_node *body;
+    ir_node *block; /* the body with an exit for the condition, if there is one, in front */
+} open_loop;
+
 typedef struct loop_exits {
     unsigned count;
     loop_exit items[LOOP_MOST_EXITS];
+    const open_loop *open; /* NULL if the loop has a bound */
 } loop_exits;
 
 /** A loop-invariant pointer that is loaded through another pointer, and the variable that replaces

@@ -6,6 +6,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/library.h"
+#include "analysis/base/open_loop.h"
 #include "analysis/base/stateful.h"
 
 /* ---- assertions ------------------------------------------------------------------------------ */
@@ -219,7 +220,7 @@ static const ir_node *negated(arena *a, const ir_node *tested) {
 
 /* Adds the exit. `otherwise` is the statement's branch that stays. */
 static void add(search *s, ir_node *statement, const ir_node *tested, bool is_negated,
-                ir_node *otherwise) {
+                ir_node *otherwise, bool is_message) {
     loop_exits *found = s->found;
     const bool is_other = otherwise && otherwise == statement->children[1];
     const ir_node *condition = is_other ? negated(s->memory, tested) : tested;
@@ -234,6 +235,7 @@ static void add(search *s, ir_node *statement, const ir_node *tested, bool is_ne
     }
     ir_node *rest = ir_new(s->memory, IR_IF, NULL, otherwise ? 3 : 2);
     ir_node *end = ir_new(s->memory, IR_CONTINUE, NULL, 0);
+    end->flags = IR_LEAVES;
     rest->id = statement->id;
     rest->parent = statement->parent;
     rest->range = end->range = (ir_range){statement->range.begin, statement->range.begin};
@@ -252,7 +254,8 @@ static void add(search *s, ir_node *statement, const ir_node *tested, bool is_ne
                                                .parent = statement->parent,
                                                .is_negated = is_negated,
                                                .is_kept = is_kept,
-                                               .is_shared = is_shared};
+                                               .is_shared = is_shared,
+                                               .is_message = is_message};
 }
 
 /* The condition that the statement asserts, as an expression or as the last part of a sequence
@@ -280,13 +283,14 @@ static bool is_exit(const ir_node *statement, unsigned number, bool break_leaves
 static void find_exits(search *s, ir_node *node, bool break_leaves) {
     const ir_node *condition = ir_is_loop(node) ? NULL : asserted_by(node);
     if (condition) {
-        add(s, node, condition, true, NULL);
+        add(s, node, condition, true, NULL, false);
         return;
     }
     for (unsigned i = 1; node->kind == IR_IF && i < node->child_count; i++)
         if (is_exit(node, i, break_leaves)) {
             ir_node *otherwise = ir_child(node, 3 - i);
-            add(s, node, node->children[0], false, otherwise);
+            const bool is_message = !branch_leaves(node->children[i], break_leaves);
+            add(s, node, node->children[0], false, otherwise, is_message);
             if (otherwise)
                 find_exits(s, otherwise, break_leaves);
             return;
@@ -311,6 +315,8 @@ static void exchange(ir_node *parent, const ir_node *old, ir_node *new) {
 }
 
 void loop_exits_take_out(const loop_exits *exits) {
+    if (exits)
+        open_loop_limit(exits->open);
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const loop_exit *it = &exits->items[i];
         assert(it->parent && it->rest && it->statement->parent == it->parent);
@@ -333,6 +339,8 @@ void loop_exits_put_back(const loop_exits *exits) {
         if (it->otherwise)
             it->otherwise->parent = it->statement;
     }
+    if (exits)
+        open_loop_restore(exits->open);
 }
 
 void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
@@ -352,6 +360,16 @@ void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
             rest->child_count = it->otherwise ? 3 : 2;
         }
     }
+}
+
+bool loop_exits_mention(const loop_exits *exits, const ir_variable *variable) {
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        const ir_node *statement = exits->items[i].statement;
+        for (unsigned n = 1; statement->kind == IR_IF && n < statement->child_count; n++)
+            if (expression_mentions(statement->children[n], variable))
+                return true;
+    }
+    return false;
 }
 
 const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement) {

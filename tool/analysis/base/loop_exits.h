@@ -5,9 +5,10 @@
  *  output must appear in the loop's order.
  *
  *  The loop is analysed as if it had no exits. Before iterations run in parallel, one thread
- *  evaluates the exits' conditions in order until one holds (REDCC_DRY_RUN). If one does, nothing
- *  has been executed yet, and the original loop runs. The branches themselves never run in
- *  parallel, and are not analysed. */
+ *  evaluates the exits' conditions in order until one holds (REDCC_DRY_RUN). If one does, the
+ *  iterations before it run in parallel, and the original loop continues from it, or runs as a
+ *  whole (plan/continuation.h). The branches themselves never run in parallel, and are not
+ *  analysed. */
 #ifndef ANALYSIS_LOOP_EXITS_H
 #define ANALYSIS_LOOP_EXITS_H
 
@@ -39,6 +40,9 @@ void loop_exits_put_back(const loop_exits *exits);
 /** Hides the exits' conditions too, or restores them, while the exits are removed. A condition that
  *  assigns variables stays visible, since the body must evaluate it: `if (condition) { }`. */
 void loop_exits_hide(const loop_exits *exits, bool are_hidden);
+
+/** Does the branch of an exit mention the variable? */
+bool loop_exits_mention(const loop_exits *exits, const ir_variable *variable);
 
 /** The exit that this `if` replaces; NULL if there is none. */
 const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement);

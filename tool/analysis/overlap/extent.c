@@ -218,7 +218,8 @@ static bool plan_known(const loop_analysis *j, const loop_access *read, bool can
     plan->source.is_sometimes = read->access.is_conditional;
     if (is_invariant_row(j, plan->source.row))
         return !plan->source.is_sometimes || row_address_of(plan->source.row, &address);
-    return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_recorded, plan);
+    return !(j->left_out.exits && j->left_out.exits->open) && /* the last iteration is unknown */
+           is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_recorded, plan);
 }
 
 /* Is the expression made of variables that the loop does not change, of loads, and of counters of

@@ -17,7 +17,7 @@ static bool is_in_header(const loop_analysis *j, const ir_node *write) {
 
 bool step_is_in_each(const loop_analysis *j, const ir_node *write) {
     if (ir_contains(j->counted.body, write))
-        return executed_in_each(j, write);
+        return executed_in_each_staying(j, write);
     return is_in_header(j, write) && executed_certainly_in(j->loop->children[2], write);
 }
 

@@ -351,6 +351,8 @@ static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
+    if (loop->facts->slice.exits && loop->facts->slice.exits->open)
+        VECTOR_PUSH(loop->arena, &copy->printed, body);
     if (body->range.begin <= loop->facts->loop->range.begin) /* one macro expands to header and
                                                               * body */
         VECTOR_PUSH(loop->arena, &copy->printed, body);

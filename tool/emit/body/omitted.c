@@ -35,6 +35,8 @@ static void drop_exits(body_copy *copy) {
     const loop_exits *exits = copy->loop->facts->slice.exits;
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const ir_node *exit = exits->items[i].statement;
+        if (exit->kind == IR_EMPTY) /* the exit of a loop without a bound has no text in the body */
+            continue;
         if (is_printed(copy, exits->items[i].rest))
             continue;
         if (exits->items[i].is_kept)

@@ -221,7 +221,7 @@ void apply_operands(loop_text *loop, writer *out) {
     if (has_operands(loop->facts)) {
         writer_line(out, "    redcc_int redcc__i;");
         name_operands(loop, out);
-        writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
+        writer_line(out, "    for (redcc__i = 0; redcc__i < %s; redcc__i++) {", loop_made(loop));
         apply_iteration(loop, out);
         writer_line(out, "    }");
     }
