@@ -280,7 +280,7 @@ int main(void) {
         case_values(w, N + 4);
         k[places[p]] = -1;
         w[places[p]] = 1e9;
-        if (p % 4 == 3)
+        if (p == 3)
             w[places[p] / 2] = 2e6;
         run(N);
         if (p < 2)

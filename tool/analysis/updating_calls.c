@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/updating_calls.h"
 
+#include "analysis/base/expandable_call.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
 #include "analysis/loop/conflict.h"
@@ -117,7 +118,9 @@ static void list_below(listing *l, const ir_node *node) {
         statement = statement->parent;
     if (is_written(l, node))
         return;
-    if (node->kind == IR_CALL && is_wanted(l, node) && statement)
+    /* A call in another one's argument is not the one that would be expanded. */
+    if (node->kind == IR_CALL && statement && call_in_statement(statement) == node &&
+        is_wanted(l, node))
         VECTOR_PUSH(l->search->an->memory, l->search->calls,
                     ((updating_call){l->search->function, (ir_node *)statement}));
     for (unsigned i = 0; i < node->child_count; i++)

@@ -150,7 +150,7 @@ loop_exits *open_loop_find(arena *a, ir_function *function, ir_node *loop) {
         add_exit(&m, exits, open, open->block);
     for (unsigned i = 0; i < exits->count; i++)
         if (exits->items[i].parent == body)
-            exits->items[i].parent = open->block;
+            exits->items[i].parent = exits->items[i].rest->parent = open->block;
     static const ir_type truth = {.kind = IR_INTEGER, .size = 4, .is_signed = true};
     open->limited = comparison_of(&m, counter, has_exit ? open->condition->type : &truth);
     open->limited->parent = loop;
