@@ -78,3 +78,8 @@ check() { # WHAT yes|no OBJECT SOURCE
 }
 check "the function that was seen" yes add.o add.c
 check "another function" no other_add.o other/add.c
+# A function that adds twice may have other bits in its file, whose flags may permit another order.
+sed 's/h\[i\] += x;/h[i] += x; h[i] += 0.5 * x;/' other/add.c | sed 's/static double last; x += last \* 0.5; last = x;//' >add.c
+"$ATTACK_REDCC" --files=project user.c -o parallel/user.c -- -w -I. -O2 2>remarks
+grep -q "loop in 'run' runs in parallel" remarks && fail "a function with several floating operations is expanded"
+true

@@ -87,23 +87,41 @@ static bool has_prototype(const ir_function *function) {
     return function->type->spelling && !strstr(function->type->spelling, "()");
 }
 
-static bool has_whole_value(const ir_node *node) {
-    const ir_type *type = node->type;
-    return type && (type->kind == IR_INTEGER || type->kind == IR_BOOLEAN ||
-                    type->kind == IR_POINTER || type->kind == IR_VOID);
+static bool is_floating_operation(const ir_node *node) {
+    const bool is_operator = node->kind == IR_BINARY || node->kind == IR_UNARY;
+    return expression_is_floating_work(node) ||
+           (is_operator && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT &&
+            node->children[0]->type && ir_type_is_floating(node->children[0]->type));
 }
 
-/* May the compiler fuse the multiplication with an addition? In a function of another file it may,
- * and then the bits differ from those of the body in this file, where fusing is forbidden. */
-static bool may_be_fused(const ir_node *node) {
-    return (node->kind == IR_BINARY || node->kind == IR_ASSIGN) && node->op == IR_OP_MULTIPLY &&
-           !(has_whole_value(node) && has_whole_value(node->children[1]));
+static unsigned count_floating(const ir_node *node) {
+    unsigned count = is_floating_operation(node);
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += count_floating(node->children[i]);
+    return count;
+}
+
+static bool is_no_addition(const ir_node *node) {
+    return is_floating_operation(node) && node->op != IR_OP_ADD && node->op != IR_OP_SUBTRACT;
+}
+
+static bool calls_known_function(const ir_node *node) {
+    const ir_function *function = node->kind == IR_CALL ? ir_called_function(node) : NULL;
+    return function && function->body && !function->is_noreturn;
+}
+
+/* Has the body these bits in another file, too, which may be compiled by other flags? They may
+ * permit fused multiplications, other orders of additions, and comparisons that ignore NaN. All of
+ * them concern several floating operations, also in inlined calls, or one that is no addition. */
+static bool has_same_bits(const ir_node *body) {
+    return count_floating(body) <= 1 && !ir_any(body, is_no_addition) &&
+           !ir_any(body, calls_known_function);
 }
 
 static bool can_stand_in(const ir_unit *unit, const ir_function *function) {
     if (!function || !function->body || function->is_variadic ||
-        (function->linkage.import && ir_any(function->body, may_be_fused)) ||
-        function->has_errors || function->has_other_attributes || function->linkage.is_weak ||
+        (function->linkage.import && !has_same_bits(function->body)) || function->has_errors ||
+        function->has_other_attributes || function->linkage.is_weak ||
         function->linkage.is_renamed || function->is_noreturn || function->is_from_system ||
         !has_prototype(function) || function->type->target->is_const ||
         (function->is_in_main_file && holds_directive(unit, function->body->range)))

@@ -7,11 +7,11 @@
 
 /** The call in the statement if its arguments assign nothing, and if the function's body can
  * replace the call; NULL otherwise. The body of a function of another file may only name what this
- * file declares, and may not multiply floating-point numbers. A body must not contain labels,
- * opaque parts, directives, attributes, static variables, a `return` in a loop, or names of the
- * file that mean something else in the caller. The result type must not be const. The caller must
- * make sure that functions called in the arguments change nothing, because the block evaluates the
- * arguments in their order. */
+ * file declares, and may contain a single addition of floating-point numbers, but no other
+ * operation on them. A body must not contain labels, opaque parts, directives, attributes, static
+ * variables, a `return` in a loop, or names of the file that mean something else in the caller. The
+ * result type must not be const. The caller must make sure that functions called in the arguments
+ * change nothing, because the block evaluates the arguments in their order. */
 ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
                             const ir_node *statement);
 

@@ -388,9 +388,9 @@ static void count_addresses(const ir_function *caller, const ir_node *call) {
 
 static unsigned number_in(const ir_node *parent, const ir_node *child) {
     unsigned number = 0;
-    while (parent->children[number] != child)
+    while (number + 1 < parent->child_count && parent->children[number] != child)
         number++;
-    assert(number < parent->child_count);
+    assert(parent->children[number] == child);
     return number;
 }
 
