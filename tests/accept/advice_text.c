@@ -168,7 +168,7 @@ int main(void) {
         in_macro(N);
         directive_in_range(N);
         opaque(N);
-            type_of_the_function(N);
+        type_of_the_function(N);
         type_without_a_name(N);
         array_of_variable_length(N, ROWS);
         define_in_the_function(N);
