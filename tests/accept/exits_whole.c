@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // An iteration leaves the loop, and the loop cannot continue there: the branch reads what the header sets, the header
-// sets the bound, or a macro makes the header. The original loop then runs from its start.
+// sets the bound, or has braces, or a macro makes the header. The original loop then runs from its start.
 // MAY-RUN-SERIALLY: one iteration always leaves
 // INTEGERS: no
 #include "case.h"
@@ -42,9 +42,19 @@ __attribute__((noinline)) static int macros(int n) {
     return t;
 }
 
+__attribute__((noinline)) static int braces(int n) {
+    for (int t = {0}; t < n; t++) { // EXPECT: transformed
+        if (k[t] < 0)
+            return t;
+        h[k[t]] += w[t];
+    }
+    return -1;
+}
+
 static void run(int n) {
     whole(n);
     note(macros(n));
+    note(braces(n));
     CASE_PRINT(h);
 }
 

@@ -38,7 +38,8 @@ static bool parts_of_declaration(const loop_facts *facts, const ir_node *declara
         const int number = number_of(facts, declarator->variable);
         if (number == CONTINUED_CLAUSE)
             continue;
-        if (*count == MOST_CONTINUED || !is_spelled_in_header(facts, value))
+        if (*count == MOST_CONTINUED || value->kind == IR_INITIALIZERS ||
+            !is_spelled_in_header(facts, value))
             return false;
         parts[(*count)++] = (continued_part){value->range, number};
     }

@@ -29,7 +29,8 @@ typedef struct continued_part {
 } continued_part;
 enum { CONTINUED_COUNTER = -1, CONTINUED_CLAUSE = -2 };
 
-/** Lists the parts, in the order of the text. False: a macro makes one of them. */
+/** Lists the parts, in the order of the text. False: a macro makes one of them, or it has braces.
+ */
 bool continued_parts(const loop_facts *facts, continued_part parts[MOST_CONTINUED],
                      unsigned *count);
 
