@@ -78,6 +78,12 @@ static bool split_declared_bound(const ir_node *loop, const ir_node *declaration
     return true;
 }
 
+/* The value in the declaration of a scalar: 5 in `q = 5` and `q = {5}`. */
+static ir_node *value_declared(const ir_node *declarator) {
+    ir_node *value = declarator->children[0];
+    return value->kind == IR_INITIALIZERS && value->child_count == 1 ? value->children[0] : value;
+}
+
 /* Handles another declared variable, such as q in for (int t = 0, q = 5; t < n; t++, q += 3). */
 static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
                                  counted_loop *counted) {
@@ -87,7 +93,7 @@ static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
     if (variable == counted->counter || !is_used)
         return !declarator->child_count || expression_is_plain(declarator->children[0]);
     return declarator->child_count &&
-           add_start(counted, (loop_start){variable, declarator->children[0], declarator, true});
+           add_start(counted, (loop_start){variable, value_declared(declarator), declarator, true});
 }
 
 bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
@@ -96,7 +102,7 @@ bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
     const ir_node *own = declarator_of(declaration, counted->counter);
     if (!own || !own->child_count)
         return false;
-    counted->lower = own->children[0];
+    counted->lower = value_declared(own);
     counted->counter_is_declared_in_header = true;
     if (declaration->child_count == 1)
         return true;
