@@ -188,9 +188,9 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
 }
 
 /* Plans a row that is monotonic in the counter, by its ends. In iterations that do not read the
- * row, the subscript may have any value, as in `x[t - 1]` where t is 0. If that is likely, no
- * condition on the counter excludes these iterations, and the inspector can record the reads
- * instead (`can_be_recorded`), returns false. */
+ * row, the subscript may have any value, as in `x[t - 1]` where t is 0, or behind an iteration that
+ * leaves the loop. If that is likely, no condition on the counter excludes these iterations, and
+ * the inspector can record the reads instead (`can_be_recorded`), returns false. */
 static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
@@ -198,7 +198,7 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
     row_address address;
     const bool is_known = row_address_of(item->row, &address);
     item->extent = EXTENT_AFFINE;
-    item->is_sometimes = read->access.is_conditional;
+    item->is_sometimes = read->access.is_conditional || j->left_out.exits;
     item->is_checked = item->is_sometimes || (is_known ? may_wrap(&address, counter)
                                                        : subscripts_may_wrap(item->row, counter));
     if (item->is_checked && (!is_known || counter->type->kind == IR_POINTER))
