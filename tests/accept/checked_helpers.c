@@ -18,7 +18,7 @@ typedef struct vector {
     double *p;
 } vector;
 static int k[N + 4];
-static double elements[M], w[N];
+static double elements[M + 1], w[N]; /* an error prints and goes on with element M */
 static vector all = {M, elements};
 static int messages;
 
