@@ -7,10 +7,9 @@
 // INTEGERS: no
 // COMPILERS: gcc clang-19
 #include <assert.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "case.h"
+#include "child.h"
 
 enum { N = 2500, M = 300 };
 typedef struct vector {
@@ -142,7 +141,7 @@ __attribute__((noinline)) static void by_helpers(vector *a, int n) {
             add_twice(a, k[t] < 0 ? 1 : k[t], k[t + c] < 0 ? 2 : k[t + c], w[t]);
 }
 
-/* The branches of the caller's `if` go on. */
+/* The loop continues after either branch of the caller's `if`. */
 static int add_positive(vector *a, int i, double x) {
     if (x < 0)
         return 0;
@@ -206,19 +205,6 @@ static void run(const char *name) {
     fflush(stdout);
 }
 
-/* Runs in a child process, since an exit ends the process. */
-static void run_in_child(const char *name) {
-    const pid_t child = fork();
-    int status = 0;
-    if (child == 0) {
-        run(name);
-        _exit(0);
-    }
-    waitpid(child, &status, 0);
-    printf("%s: %d\n", name, status);
-    fflush(stdout);
-}
-
 int main(void) {
     static const int places[] = {0, N / 2, N - 1};
     case_subscripts(k, N, M);
@@ -230,7 +216,7 @@ int main(void) {
         k[at] = -7;
         run("one is negative");
         k[at] = M;
-        run_in_child("one is too large");
+        run_in_child(run, "one is too large");
         k[at] = was;
     }
     run("none fails in the end");

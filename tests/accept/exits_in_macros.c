@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Macros that check, and macros of which one call is several statements.
+// Macros that check something, and macros whose call expands to several statements.
 // THREADS: 1 2 3 7 16 33
 // INTEGERS: no
 // COMPILERS: gcc clang-19
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "case.h"
+#include "child.h"
 
 enum { N = 2500, M = 300 };
 typedef struct vector {
@@ -100,18 +99,6 @@ static void run(const char *name) {
     fflush(stdout);
 }
 
-static void run_in_child(const char *name) {
-    const pid_t child = fork();
-    int status = 0;
-    if (child == 0) {
-        run(name);
-        _exit(0);
-    }
-    waitpid(child, &status, 0);
-    printf("%s: %d\n", name, status);
-    fflush(stdout);
-}
-
 int main(void) {
     static const int places[] = {0, N / 2, N - 1};
     case_subscripts(k, N, M);
@@ -124,7 +111,7 @@ int main(void) {
         k[at] = -7;
         run("error");
         k[at] = M;
-        run_in_child("exit");
+        run_in_child(run, "exit");
         k[at] = was;
     }
     run("none leaves in the end");

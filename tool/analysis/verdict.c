@@ -381,21 +381,18 @@ static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_nod
         analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
     if (found.kind != VERDICT_REFUSE)
         return found;
-    loop_verdict staying = found;
-    if (is_about_leaving(found.why.id))
-        staying = analysed_staying(an, function, loop);
+    const bool may_leave = is_about_leaving(found.why.id);
+    const loop_verdict staying = may_leave ? analysed_staying(an, function, loop) : found;
     if (staying.why.id == REASON_TRIP_COUNT) {
         const loop_verdict open = analysed_open(an, function, loop);
         if (open.kind == VERDICT_TRANSFORM)
             return open;
     }
-    if (is_about_leaving(found.why.id)) {
-        if (staying.kind != VERDICT_NOT_A_REDUCTION)
-            return staying.kind == VERDICT_TRANSFORM ||
-                           (staying.facts->counted.counter && !is_about_leaving(staying.why.id))
-                       ? staying
-                       : found;
-    }
+    if (may_leave && staying.kind != VERDICT_NOT_A_REDUCTION)
+        return staying.kind == VERDICT_TRANSFORM ||
+                       (staying.facts->counted.counter && !is_about_leaving(staying.why.id))
+                   ? staying
+                   : found;
     const loop_verdict rest = analysed_without(an, function, loop);
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }

@@ -89,7 +89,7 @@ static void add_correction(domain_solver *d, double (*dv)[3]) {
     domain_add_correction(d, dv);
 }
 
-/** Where the iteration stands. Each thread has its own, with the same values. */
+/** The state of the iteration. Each thread has a copy, with the same values. */
 typedef struct progress {
     double square; /* r . r */
     long iterations;

@@ -16,7 +16,8 @@ typedef struct domain_turn {
     int has_any;        /* is there a neighbour? */
     atomic_uint passes; /* number of the last pass that is complete */
     atomic_int asleep;  /* number of threads that sleep until a pass is complete */
-    char apart[64 - 20]; /* keeps what threads wait for in different cache lines */
+    /* fills the cache line, so that threads that wait for different domains share none */
+    char padding[64 - 3 * sizeof(int) - sizeof(atomic_uint) - sizeof(atomic_int)];
 } domain_turn;
 
 /** Extends the range of neighbours to this domain. */

@@ -297,8 +297,8 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
             redcc__calls->sequential_end(&(redcc_site).binned.loop);                               \
     } while (0);
 
-/** As REDCC_OVER, for a loop that a jump may leave: declares a variable at whose scope's end,
- * however it is left, the runtime is told. */
+/** As REDCC_OVER, for a loop that a jump may leave: declares a variable whose cleanup function does
+ * the work of REDCC_OVER when its scope ends. */
 #define REDCC_OVER_AT_JUMPS(redcc_of)                                                              \
     redcc_site *redcc__left __attribute__((__unused__, __cleanup__(redcc_left_by_jump))) =         \
         &(redcc_of)

@@ -296,7 +296,7 @@ struct redcc_hook;
 typedef struct redcc_owner {
     const char *first;
     redcc_size size;
-    /* the owner of each unit, the first of which is at `first`; 0: no map */
+    /* the owner of each unit, from the unit at `first` on; 0: no map */
     const unsigned char *map;
     redcc_word reciprocal; /* replaces the division by `unit` (redcc_quotient); 0: divide */
     redcc_u32 self;

@@ -235,30 +235,29 @@ static bool hand_out_in_order(redcc_worker *worker) {
     return count > 0;
 }
 
-bool redcc_run_has_rest(const redcc_worker *worker) {
-    const struct runner *runner = worker->execution;
-    const struct plan *plan = runner->plan;
-    return plan && plan->method->selects && runner->selection.end < plan->trip;
-}
-
-/* The end of the iterations that are executed a second time. */
-static redcc_int end_of_repeated(const struct runner *runner) {
+/* The end of the iterations that were executed, which is also that of those executed again. */
+static redcc_int end_of_executed(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan && plan->method->selects ? runner->selection.end : runner->run->call->request.trip;
+}
+
+bool redcc_run_has_rest(const redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    return end_of_executed(runner) < runner->run->call->request.trip;
 }
 
 void redcc_run_own_nothing(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     assert(runner->step == STEP_END);
-    begin_in_order(worker, STEP_END, 0, end_of_repeated(runner));
+    begin_in_order(worker, STEP_END, 0, end_of_executed(runner));
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->owner[array] = (redcc_owner){.first = call->request.bases[array]};
 }
 
 bool redcc_run_again(redcc_worker *worker) {
     struct runner *runner = worker->execution;
-    const redcc_int end = end_of_repeated(runner), trip = runner->run->call->request.trip;
+    const redcc_int end = end_of_executed(runner), trip = runner->run->call->request.trip;
     if (errno && worker->run_end)
         redcc_note_error(runner->run, worker->position);
     if (runner->in_order_end == end) {

@@ -47,7 +47,7 @@ struct survey {
     int threads;
     int stops; /* number of threads for which there is memory */
     struct barrier *barrier;
-    bool stands; /* this execution has a survey */
+    bool stands; /* the current execution uses this survey */
 };
 
 /** Begins a survey for the threads of a barrier, if each has a share and memory suffices. */

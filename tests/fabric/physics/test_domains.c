@@ -47,8 +47,8 @@ static void test_a_domain_awaits_all_neighbours(void **state) {
     }
 }
 
-/* A chain of vertices in five domains, of which each shares blocks with the next; and one more
- * block, of the first and the fourth. */
+/* A chain of vertices in five domains. Each domain shares blocks with the next one, and the first
+ * shares one with the fourth. */
 static void test_neighbours_share_blocks(void **state) {
     (void)state;
     static const int start[] = {0, 2, 4, 6, 8, 10};

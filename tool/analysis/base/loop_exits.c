@@ -95,9 +95,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 
 /* ---- conditions ------------------------------------------------------------------------------ */
 
-/* Does the node forbid evaluating the condition separately? Assignments to automatic variables do
- * not, as in `if ((p = next[i]) < 0)`. Calls are analysed like the loop's other calls. */
-static bool is_beyond_evaluation(const ir_node *node) {
+bool loop_exits_cannot_evaluate(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (written)
         return written->kind != IR_VARIABLE || !variable_is_automatic(written->variable);
@@ -143,7 +141,7 @@ static bool has_message(const ir_node *node, unsigned depth) {
 }
 
 static bool is_with_message(const ir_node *statement, const ir_node *branch) {
-    return !ir_any(statement->children[0], is_beyond_evaluation) && has_message(branch, 0) &&
+    return !ir_any(statement->children[0], loop_exits_cannot_evaluate) && has_message(branch, 0) &&
            !ir_may_be_entered(branch);
 }
 
@@ -228,7 +226,7 @@ static void add(search *s, ir_node *statement, const ir_node *tested, bool is_ne
     const bool is_shared =
         otherwise || statement->flags & IR_FROM_CALL || !has_own_bytes(statement) ||
         (is_kept && !is_negated && !has_branch_of_own_bytes(statement, condition));
-    if (found->count == LOOP_MOST_EXITS || ir_any(condition, is_beyond_evaluation) ||
+    if (found->count == LOOP_MOST_EXITS || ir_any(condition, loop_exits_cannot_evaluate) ||
         statement->parent->kind != IR_BLOCK || (is_kept && is_negated)) {
         s->is_over = true;
         return;

@@ -41,6 +41,11 @@ void loop_exits_put_back(const loop_exits *exits);
  *  assigns variables stays visible, since the body must evaluate it: `if (condition) { }`. */
 void loop_exits_hide(const loop_exits *exits, bool are_hidden);
 
+/** Does the node forbid evaluating a condition that contains it before the iteration? Assignments
+ * to automatic variables do not, as in `if ((p = next[i]) < 0)`. Calls are analysed like the loop's
+ * other calls. */
+bool loop_exits_cannot_evaluate(const ir_node *node);
+
 /** Does the branch of an exit mention the variable? */
 bool loop_exits_mention(const loop_exits *exits, const ir_variable *variable);
 

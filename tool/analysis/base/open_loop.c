@@ -109,11 +109,8 @@ static void add_exit(const maker *m, loop_exits *exits, open_loop *open, ir_node
 
 /* ---- the loop -------------------------------------------------------------------------------- */
 
-static bool is_beyond_evaluation(const ir_node *node) {
-    const ir_node *written = expression_written(node);
-    if (written)
-        return written->kind != IR_VARIABLE || !variable_is_automatic(written->variable);
-    return node->kind == IR_OPAQUE || node->kind == IR_CALL;
+static bool is_beyond_search(const ir_node *node) {
+    return node->kind == IR_CALL || loop_exits_cannot_evaluate(node);
 }
 
 /* A block with the statements of the body, after room for the exit. */
@@ -139,7 +136,7 @@ loop_exits *open_loop_find(arena *a, ir_function *function, ir_node *loop) {
     open_loop *open = ARENA_NEW(a, open_loop);
     *open = (open_loop){.loop = loop, .place = place, .header = *place, .body = body};
     open->condition = has_exit ? (ir_node *)expression_of(*place) : NULL;
-    if (has_exit && (ir_any(open->condition, is_beyond_evaluation) ||
+    if (has_exit && (ir_any(open->condition, is_beyond_search) ||
                      variable_is_written_in(open->condition, counter)))
         return NULL;
     const uint32_t begin = body->range.begin;

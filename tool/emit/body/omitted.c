@@ -5,20 +5,21 @@
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
-bool is_step(const loop_text *loop, const ir_node *statement) {
+/** The statement with the counter's step; NULL if the header steps it. */
+static const ir_node *step_of(const loop_text *loop) {
     const ir_node *increment = body_increment(loop->facts);
-    return increment &&
-           syntax_enclosing_statement(increment, loop->facts->counted.body) == statement;
+    return increment ? syntax_enclosing_statement(increment, loop->facts->counted.body) : NULL;
 }
 
-static void drop_increment(body_copy *copy) {
-    const loop_text *loop = copy->loop;
-    const ir_node *increment = body_increment(loop->facts);
-    if (!increment || is_printed(copy, increment))
-        return;
-    increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
-    replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),
-                  "");
+bool is_step(const loop_text *loop, const ir_node *statement) {
+    return statement == step_of(loop);
+}
+
+static void drop_step(body_copy *copy) {
+    const ir_node *step = step_of(copy->loop);
+    if (step && !is_printed(copy, step))
+        replace_bytes(copy, step->range.begin, syntax_statement_end(copy->loop->unit->source, step),
+                      "");
 }
 
 static void drop_distributed_stores(body_copy *copy) {
@@ -76,7 +77,7 @@ void print_around_omitted(body_copy *copy) {
 }
 
 void drop_omitted(body_copy *copy) {
-    drop_increment(copy);
+    drop_step(copy);
     drop_distributed_stores(copy);
     drop_exits(copy);
     drop_dead(copy, copy->loop->facts->counted.body);
