@@ -39,20 +39,13 @@ REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size i
     return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
-/* Not inlined, because compiling a copy at each update would be slow. The fields are passed by
- * value, so that compilers can keep an owner without a map in registers. */
-static __attribute__((__noinline__, __unused__)) int
-redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
-                   redcc_word reciprocal, unsigned self) {
-    return map[redcc_quotient(into, unit, reciprocal)] == self;
-}
-
-/** Does the thread own the byte at `address`? Ignores the hook. */
+/** Does the thread own the byte at `address`? Ignores the hook. No part of it is a call: a call in
+ * a loop makes compilers reload the loop's floating-point constants, also where it is never
+ * reached. */
 REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     return into < owner->size &&
-           (!owner->map ||
-            redcc_is_mapped_to(owner->map, into, owner->unit, owner->reciprocal, owner->self));
+           (!owner->map || owner->map[redcc_unit_number(owner, into)] == owner->self);
 }
 
 /* As redcc_mapped, for a range that spans several units or lies partly or completely outside of the
