@@ -57,8 +57,8 @@ static bool add_part(struct parts *parts, const struct mapping *mapping, struct 
 }
 
 /* Adds the parts of `written` that lie in writable shared mappings. Most arrays lie in one mapping,
- * so a single query suffices. Returns false if the mappings are unknown or there are too many
- * parts. */
+ * so a single query suffices. Returns false if the mappings or a mapped object are unknown, or if
+ * there are too many parts. */
 static bool find_parts(struct maps *maps, struct range written, struct parts *parts) {
     enum which_maps which = MAPS_ALL;
     struct mapping mapping;

@@ -11,11 +11,12 @@
 #include <stddef.h>
 
 /** Allocates at least *bytes bytes, at a multiple of 64. Sets *bytes to the actual size, which is
- * needed to free the block. The block is not initialised. If `keep` is set, the block may be one
- * that was cached. NULL: out of memory. */
+ * needed to free the block. The block is not initialised. A large block may be one that was cached,
+ * if `keep` is set. NULL: out of memory. */
 void *redcc_block_alloc(size_t *bytes, bool keep);
 
-/** Frees a block of `bytes` bytes. If `keep` is set, the block may be cached. */
+/** Frees a block of `bytes` bytes, the size that redcc_block_alloc has set. A large block may be
+ * cached if `keep` is set. */
 void redcc_block_free(void *block, size_t bytes, bool keep);
 
 /** Must be called in a forked process. Another thread of the parent may have held the lock at the

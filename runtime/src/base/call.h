@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inputs of one call of a loop. The stages of the pipeline do not change them. */
+/** The inputs of one call of a loop, and its settings. */
 #ifndef REDCC_CALL_H
 #define REDCC_CALL_H
 

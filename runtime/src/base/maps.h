@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Reads the memory mappings of the process one by one from /proc/self/maps, see proc_pid_maps(5).
- * Linux 6.11 and later supports queries for single mappings (PROCMAP_QUERY), which take some
- * microseconds for any number of mappings. On other systems the text is read, which takes 1 to 2
- * microseconds per mapping.
+ * Linux 6.11 and later versions support queries for single mappings (PROCMAP_QUERY). A query takes
+ * some microseconds for any number of mappings. On other systems the text is read, which takes 1 to
+ * 2 microseconds per mapping.
  */
 #ifndef REDCC_MAPS_H
 #define REDCC_MAPS_H

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** For tests: assume that the processor and the system have protection keys. */
+/** For tests: if set, the processor and the system are assumed to have protection keys. */
 extern bool redcc_rights_assumed;
 
 /** The calling thread's rights; 0 if there are no keys. */

@@ -13,9 +13,9 @@
 #endif
 
 /* Pointers are loaded before an execution only if this time has passed since the previous
- * execution. The system call takes 0.3 microseconds, 0.5 % of this time. A loop that is executed
- * more often is never loaded for, and so remains sequential. It would be too short to gain, since
- * waking threads takes some 10 microseconds. */
+ * execution. The system call takes 0.3 microseconds, 0.5 % of this time. For a loop that is
+ * executed more often, pointers are not loaded, so the loop remains sequential. It would be too
+ * short to gain, since waking threads takes some 10 microseconds. */
 enum { LEAST_NANOSECONDS = 60000 };
 
 bool redcc_is_time_to_load(redcc_word *last) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Direct system calls, in place of POSIX functions such as read, close, mmap, sysconf and
- * clock_gettime. ISO C does not reserve these names (C17 7.1.3). So the program may define a
- * function with such a name, which would replace the library's. No function here sets errno, is a
- * cancellation point, allocates or takes a lock; all are thread-safe and async-signal-safe.
- * tests/runtime/check-symbols checks the names to which the runtime refers.
+ * Direct system calls on Linux, in place of POSIX functions such as read, close, mmap, sysconf and
+ * clock_gettime, which other systems use. ISO C does not reserve these names (C17 7.1.3). So the
+ * program may define a function with such a name, which would replace the library's. On Linux, no
+ * function here sets errno, is a cancellation point, allocates or takes a lock; all are thread-safe
+ * and async-signal-safe. tests/runtime/check-symbols checks the names to which the runtime refers.
  */
 #ifndef REDCC_SYSTEM_H
 #define REDCC_SYSTEM_H

@@ -35,7 +35,8 @@ void redcc_rounding_add(const struct plan *plan, int thread) {
         const size_t end = share_begin(plan, rounding, thread + 1);
         for (size_t i = share_begin(plan, rounding, thread); rounding->value && i < end; i++) {
             if (rounding->value[i] == 0 || !isfinite(rounding->value[i]))
-                continue; /* an untouched element must not be written */
+                continue; /* an untouched element must not be written, and an infinite or NaN error
+                             not be added */
             if (rounding->type == REDCC_FLOAT)
                 add_float((float *)(void *)rounding->first + i, rounding->value[i]);
             else
@@ -44,7 +45,7 @@ void redcc_rounding_add(const struct plan *plan, int thread) {
     }
 }
 
-/* The number of the element at `address`. */
+/* The index of the element at `address` in rounding->value. */
 static size_t number_of(const struct rounding *rounding, const void *address) {
     return (size_t)((const char *)address - rounding->first) /
            redcc_rounding_element(rounding->type);

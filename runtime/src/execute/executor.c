@@ -6,7 +6,8 @@
  *     STEP_BEGIN: the first call; continues with
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
- *     STEP_REST: sequential iterations of a binned loop, by the first thread  -> STEP_END
+ *                   if an iteration left a fence, the first thread: -> STEP_REST -> STEP_END
+ *     STEP_REST: iterations of a binned loop in order, by the first thread    -> STEP_END
  *                with validation, after the binned part:      STEP_CHECK -> STEP_REST
  */
 #include "execute/run.h"
@@ -121,8 +122,8 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* The number of iterations that the thread will execute. With work stealing, it is the average over
- * the threads. */
+/* The expected number of iterations of the thread. With work stealing, it is the average over the
+ * threads. */
 static redcc_int iterations_of(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan->method->steals ? plan->executed / plan->threads
@@ -222,7 +223,7 @@ void redcc_run_check(redcc_worker *worker, redcc_int end) {
     begin_in_order(worker, STEP_CHECK, 0, end);
 }
 
-/* Hands out the next iterations in order. False: no iteration is left. */
+/* Hands out the next iterations in order. Returns false if none is left. */
 static bool hand_out_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_int left = runner->in_order_end - worker->position;
@@ -235,7 +236,7 @@ static bool hand_out_in_order(redcc_worker *worker) {
     return count > 0;
 }
 
-/* The end of the iterations that were executed, which is also that of those executed again. */
+/* The end of the iterations executed so far. redcc_run_again repeats the iterations before it. */
 static redcc_int end_of_executed(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan && plan->method->selects ? runner->selection.end : runner->run->call->request.trip;
@@ -297,9 +298,9 @@ static void reach_stage(struct runner *runner, uint32_t stage) {
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
 }
 
-/* All threads have found that an iteration leaves a fence (ownership/fences.h), and each has
- * executed its iterations before that: the first thread executes the others in order. With series,
- * redcc_run_again does that. */
+/* Called by each thread when it has executed its iterations before the first one that leaves a
+ * fence (ownership/fences.h). Once all threads have, the first thread executes the remaining
+ * iterations in order. In a loop with series, redcc_run_again hands these out instead. */
 static void execute_rest(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     assert(runner->run->fences.stand && !runner->run->validation.began);
@@ -467,7 +468,8 @@ static bool hand_out_classified(redcc_worker *worker, bool hooked) {
 }
 
 /* Hands out runs of classified iterations or, if there are none, a request to classify the next
- * iterations. Clears errno after a request, because the program's slices may have set it. */
+ * iterations. Returns 0 if no iteration is left. Clears errno after a request, because the
+ * program's slices may have set it. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;

@@ -61,8 +61,8 @@ void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const red
         const struct rounding *rounding = plan->rounding ? &plan->rounding[group] : NULL;
         if (!hooks->locks && (!rounding || !rounding->value))
             continue;
-        /* Overlapping arrays form a group and must use the same locks: those of the group's units.
-         * Their size is that of the array whose number identifies the group. */
+        /* Overlapping arrays form a group and must use the same locks: one per unit of the array
+         * whose number identifies the group. */
         const uint32_t units = hooks->locks ? group : array;
         hooks->hook[array] = (struct redcc_hook){.of = hooks,
                                                  .owner = owner[array],

@@ -6,9 +6,9 @@
  * so every such test reaches redcc_hooked. What must follow an update is done at the next test, or
  * at the end of the chunk (redcc_hooks_settle).
  *
- * For compensated sums, before the update, the elements from the given address to the end of its
- * unit are set to the neutral element. After the update they hold the contribution, whatever the
- * form of the update. With locks, the unit's lock is held during the update.
+ * For compensated sums, before the update, the elements from the tested address to the end of its
+ * unit are set to the neutral element. So after the update they hold the contribution, whether the
+ * body adds to them or stores the sum. With locks, the unit's lock is held during the update.
  */
 #ifndef REDCC_HOOK_H
 #define REDCC_HOOK_H
@@ -36,8 +36,8 @@ struct hooks {
     struct redcc_hook *hook; /* [array_count] */
 };
 
-/** Installs the thread's `hooks` (hooks->hook is allocated) in `owner` [array_count], for arrays at
- *  `bases`. */
+/** Puts the thread's `hooks` into owner[array_count], for those arrays at `bases` that are
+ * compensated or locked. The caller has allocated hooks->hook. */
 void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const redcc_array *arrays,
                          void *const *bases, redcc_owner *owner);
 

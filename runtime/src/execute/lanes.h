@@ -4,7 +4,11 @@
 #define REDCC_EXECUTE_LANES_H
 
 /** Values of REDCC_LANES. */
-enum lanes_setting { LANES_OFF, LANES_AUTO /* if the loop and the processor permit it */ };
+enum lanes_setting {
+    LANES_OFF,
+    LANES_AUTO /* the vector form, if the loop has one and the processor
+                  supports it */
+};
 
 /** Why an execution uses the vector form, or why not: identifier, slug, meaning. docs/report.md
  * lists the slugs, and a test compares the two lists. */

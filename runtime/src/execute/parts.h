@@ -31,7 +31,8 @@ bool redcc_parts_next(struct parts *it);
 /** Ends the current slice, if any. */
 void redcc_parts_end(struct parts *it);
 
-/** Adds the thread's times to seconds [it->count] and its iterations to iterations [it->count]. */
+/** Adds the thread's seconds and iterations in slice i to seconds[i] and iterations[i], for each i
+ * below it->count. */
 void redcc_parts_add(const struct parts *it, double *seconds, double *iterations);
 
 #endif

@@ -7,7 +7,7 @@ enum { LEAST_BYTES = 1 << 20 };
 
 /* The same limit for loops of short iterations. With random updates, they were faster with
  * prefetches if arrays had 10 MB, and slower if they had 5 MB (script/bench lanes, SIDE=650 and
- * 467). The shared cache of that machine, 32 MiB, also holds the data that are read. */
+ * 467). The machine's shared cache has 32 MiB, but it also holds the data that are read. */
 enum { LEAST_BYTES_LIGHT = 8 << 20 };
 
 /* Accesses count as irregular if runs have fewer iterations than this on average. */

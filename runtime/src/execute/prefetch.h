@@ -18,9 +18,9 @@ enum prefetch_setting {
 /** Are prefetches possible with this plan? Only if it writes to the arrays themselves. */
 bool redcc_prefetch_is_possible(const struct plan *plan);
 
-/** May prefetches pay with this plan? They must be possible, and the arrays larger than a core's
- * caches. For loops of short iterations, the arrays must also be larger than a share of the shared
- * cache, and accesses irregular. */
+/** May prefetches pay with this plan? They must be possible, and the updated ranges must have more
+ * than 1 MiB together. For loops of short iterations (`is_light`), they must have more than 8 MiB,
+ * and accesses must be irregular. */
 bool redcc_prefetch_is_of_use(const struct plan *plan, bool is_light);
 
 #endif

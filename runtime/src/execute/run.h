@@ -50,7 +50,8 @@ struct run {
 enum step {
     STEP_BEGIN,
     STEP_EXECUTE, /* the chunks of the plan */
-    STEP_REST,    /* the remaining iterations of a binned loop, in order */
+    STEP_REST,    /* iterations that run in order: the rest of a binned loop, or those from the
+                     first that leaves a fence */
     STEP_CHECK,   /* validation: iterations that are repeated in order */
     STEP_END
 };
@@ -68,10 +69,11 @@ struct runner {
     uint32_t stage;    /* the current stage of the plan */
     struct hooks hooks;
     struct run_reader runs;             /* the remaining runs of the current chunk */
-    redcc_iterations piece[REDCC_RUNS]; /* the runs that were handed out, if they were packed, had
-                                           to be marked for owner checks, or had to be split */
+    redcc_iterations piece[REDCC_RUNS]; /* the runs that were handed out, unless they are handed out
+                                           directly from the plan's schedule */
     struct parts parts;                 /* the timing slices of a trial */
-    redcc_iterations whole; /* the iterations that were handed out in order, without a plan */
+    redcc_iterations whole; /* the iterations that were handed out in order, without a plan; or the
+                               rows of a tile */
     redcc_int in_order_end; /* one past the last iteration to hand out in order */
     struct selection selection;
     struct tile_walk tiles;
@@ -104,27 +106,29 @@ void redcc_run_rest(redcc_worker *worker, redcc_int from);
 /** As redcc_run_rest, for the iterations from `begin` to before `end`. */
 void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end);
 
-/** For validation: makes the first thread's redcc_next hand out the iterations before `end` again.
- * All threads must have finished them, and the arrays' saved contents must have been restored.
- * After that the results are compared, and redcc_next hands out the rest of the loop. */
+/** For validation, called by the first thread when all threads have executed the iterations before
+ * `end`. Saves the results, restores the arrays' previous contents, and makes redcc_next hand out
+ * these iterations again. After that redcc_next compares the results, and hands out the rest of the
+ * loop. */
 void redcc_run_check(redcc_worker *worker, redcc_int end);
 
 /** Has an iteration left a fence, so that it and the later iterations are not executed yet? */
 bool redcc_run_has_rest(const redcc_worker *worker);
 
-/** Called after the loop: prepares the thread to execute all iterations again, in order, without
- * owning any element. If some are not executed yet, excludes these. */
+/** Called after the parallel part of the loop: prepares the thread to repeat the iterations
+ * executed so far, in order, without owning any element. */
 void redcc_run_own_nothing(redcc_worker *worker);
 
-/** Hands out some of the iterations that redcc_run_own_nothing prepared, and then those that were
- * not executed yet, which make their updates. Returns false if none is left. */
+/** Hands out the next of the iterations that redcc_run_own_nothing prepared, which make no updates.
+ * Then hands out those that were not executed yet, with their updates. Returns false if none is
+ * left. */
 bool redcc_run_again(redcc_worker *worker);
 
-/** Called if errno is not 0 after iterations of which the last has number `end` - 1. Records errno
- * for redcc_error_of, and clears it. */
+/** Called after some iterations, the last of which has number `end` - 1. If they have set errno to
+ * EDOM or ERANGE, records that for redcc_error_of and clears errno. */
 void redcc_note_error(struct run *run, redcc_int end);
 
-/** The value that the loop's mathematical functions have given errno; 0: none. */
+/** The value to which the loop's mathematical functions have set errno; 0: none. */
 int redcc_error_of(struct run *run);
 
 #endif

@@ -3,8 +3,9 @@
  * Execution by owners without an inspection that assigns iterations to threads. Each thread scans
  * all iterations, block by block. It first classifies the iterations of a block by whether they
  * touch an element that the thread owns (REDCC_SELECT). Those that do form the runs that the thread
- * executes. All threads stop at the first iteration that leaves a fence (ownership/fences.h). A
- * survey (survey.h) saves a thread most blocks that touch no element of it.
+ * executes. All threads stop at the first iteration that leaves a fence (ownership/fences.h). With
+ * a survey (survey.h), a thread skips those blocks that another thread has found to touch only that
+ * thread's elements.
  */
 #ifndef REDCC_EXECUTE_SELECT_H
 #define REDCC_EXECUTE_SELECT_H
@@ -23,7 +24,7 @@ struct selection {
     redcc_int idle_begin; /* the thread executes those iterations in [idle_begin, idle_end) that
                            * touch nothing */
     redcc_int idle_end;
-    redcc_int executed; /* number of iterations executed so far */
+    redcc_int executed; /* number of iterations handed out so far */
     redcc_int end;      /* the first iteration that leaves a fence; `trip` if none is found yet */
     struct survey *survey; /* NULL: none */
     redcc_int share_begin; /* the iterations that the thread classifies in the survey */
@@ -48,8 +49,9 @@ void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redc
 void redcc_selection_survey(struct selection *selection, redcc_worker *worker,
                             struct survey *survey, int thread, bool idle);
 
-/** In a survey: keeps the requested classes, and requests those of the next iterations. False: the
- * survey has ended. */
+/** In a survey: keeps the requested classes, and requests those of the next iterations of the
+ * share. At the end of the share, waits for the other threads, sets selection->end, and returns
+ * false. */
 bool redcc_selection_ask_survey(struct selection *selection, redcc_worker *worker, int thread);
 
 /** Are there classified iterations that were not taken yet? */
@@ -58,8 +60,8 @@ static inline bool redcc_selection_has_classes(const struct selection *selection
     return selection->asked || selection->taken < worker->last - worker->first;
 }
 
-/** Proceeds to the next iterations, whose classes are requested or, after a survey, already known
- * (`asked`). False: none is left. */
+/** Proceeds to the next iterations. Requests their classes (sets selection->asked), unless a survey
+ * has found them. Returns false if none is left. */
 bool redcc_selection_ask(struct selection *selection, redcc_worker *worker);
 
 /** Writes runs of classified iterations into `to`[REDCC_SELECTED]; their `begin` is relative to

@@ -44,7 +44,7 @@ redcc_int redcc_survey_end(struct survey *survey, int thread, redcc_int stop) {
     assert(survey->stands && stop >= redcc_survey_first(survey, thread));
     survey->stop[thread] = stop;
     redcc_barrier_wait(survey->barrier, survey->threads);
-    /* a thread that left no fence stops where the next share begins */
+    /* a thread that has found no such iteration stopped where the next share begins */
     int first = 0;
     while (first + 1 < survey->threads &&
            survey->stop[first] == redcc_survey_first(survey, first + 1))

@@ -5,14 +5,14 @@
  * keeps their classes, and marks those blocks in which another thread owns touched elements as
  * open. After a barrier it executes its iterations of its own share by the kept classes, and
  * classifies only the open blocks of the other shares. If each thread owns what its share touches,
- * all threads together so classify each iteration once; at worst, each thread classifies each
+ * the threads together classify each iteration once. At worst, each thread classifies each
  * iteration once, as without a survey.
  *
- * With fences (ownership/fences.h), each thread stops at the first iteration of its share that
- * leaves one. The loop stops at the first of these. Threads also evaluate slices of later
- * iterations, before the earlier iterations are executed. So these slices may read values that the
- * earlier iterations would have changed. Their classes are never used. Loops in which reading such
- * values could do harm (REDCC_DRY_RUN) have no survey.
+ * With fences (ownership/fences.h), each thread ends its part of the survey at the first iteration
+ * of its share that leaves a fence. All threads end the parallel execution before the first of
+ * these iterations. But some threads have then evaluated slices of later iterations, which may have
+ * read values that earlier iterations would have changed. The classes of these later iterations are
+ * never used. Loops in which reading such values could do harm (REDCC_DRY_RUN) have no survey.
  */
 #ifndef REDCC_EXECUTE_SURVEY_H
 #define REDCC_EXECUTE_SURVEY_H
@@ -28,7 +28,8 @@
 struct class_bits {
     uint64_t executed; /* this thread executes the iteration */
     uint64_t shared;   /* another thread also owns rows that the iteration touches */
-    uint64_t follows;  /* another thread stores the operands that the iteration adds to series */
+    uint64_t follows;  /* in a loop with series (redcc/series.h): another thread stores the operands
+                          of the iteration */
 };
 
 enum { REDCC_SELECTED_WORDS = REDCC_SELECTED / 64 };
@@ -41,7 +42,8 @@ struct surveyed_block {
 struct survey {
     struct surveyed_block *block; /* [blocks] */
     bool *is_open;                /* [blocks] */
-    redcc_int *stop; /* [threads] the first iteration in the thread's share that leaves a fence */
+    redcc_int *stop; /* [threads] the first iteration in the thread's share that leaves a fence, or
+                        the share's end */
     redcc_int blocks;
     redcc_int room; /* number of blocks for which there is memory */
     int threads;
@@ -50,7 +52,8 @@ struct survey {
     bool stands; /* the current execution uses this survey */
 };
 
-/** Begins a survey for the threads of a barrier, if each has a share and memory suffices. */
+/** Begins a survey for several threads, which meet at `barrier`. Sets survey->stands to false if
+ * there is only one thread, if not every thread gets a block, or if memory runs out. */
 void redcc_survey_begin(struct survey *survey, redcc_int trip, int threads,
                         struct barrier *barrier);
 
@@ -59,8 +62,9 @@ void redcc_survey_free(struct survey *survey);
 /** The first iteration of the thread's share; `trip` or more if thread == survey->threads. */
 redcc_int redcc_survey_first(const struct survey *survey, int thread);
 
-/** Called by each thread when its share is classified. Returns the first iteration of the loop that
- * leaves a fence, or the trip count; after that, all blocks are classified. */
+/** Called by each thread when it has classified its share up to `stop`: the first iteration that
+ * leaves a fence, or the share's end. Waits for all threads. Returns the first iteration of the
+ * loop that leaves a fence, or the trip count; all iterations before it are then classified. */
 redcc_int redcc_survey_end(struct survey *survey, int thread, redcc_int stop);
 
 #endif

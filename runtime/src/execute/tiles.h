@@ -3,11 +3,10 @@
  * The tiles of a loop over pairs. Rows (the loop's iterations) are cut into bands, and columns (the
  * values of the inner counter) into blocks at the same values. Tile (I, J) is band I times block J:
  *
- *     J    0  1  2  3            Here columns are above rows. A thread takes a band and
- *   I 0    a  a  a  a            executes its tiles from left to right, each after the tile above
- *     1       b  b  b            it. Then it takes the next band that no thread has taken. Thread b
- *     2          a  a            follows a, one block behind it.
- *     3             b
+ *     J    0  1  2  3            Each letter is a tile, executed by thread a or b. A thread takes a
+ *   I 0    a  a  a  a            band and executes its tiles from left to right, each after the
+ * tile 1       b  b  b            above it. Then it takes the next band that no thread has taken.
+ * In 2          a  a            this example thread b follows thread a, one block behind it. 3 b
  *
  * Before tile (I, J), all other tiles (I', J') with I' <= I and J' <= J are done: those on its left
  * by the same thread, and by induction those above. So of two pairs that have an element in common,
@@ -29,7 +28,7 @@
 struct tile_walk {
     struct tile_grid grid;
     uint32_t band;
-    uint32_t block;  /* number of its next block */
+    uint32_t block;  /* number of the band's next block */
     redcc_tile tile; /* the tile that was handed out last */
     bool has_band;
     bool is_handed; /* the tile before `block` was handed out; the next call marks it as done */

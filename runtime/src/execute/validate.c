@@ -116,9 +116,10 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* The distance of two floating-point values: the number of steps between neighbouring representable
- * values. The bits of non-negative values, read as integers, have the order of the values; those of
- * negative values have the reverse order. */
+/* Defines a function for the distance between two floating-point values, in steps from one
+ * representable value to the next; infinite if only one of them is NaN. The bits of non-negative
+ * values, read as integers, have the order of the values; those of negative values have the reverse
+ * order. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \
@@ -183,8 +184,8 @@ static bool is_nan(redcc_type type, const char *p) {
     return f != f || d != d;
 }
 
-/* Do the two elements differ in bits that count? Different NaNs count as equal, and the padding of
- * a long double does not count. */
+/* Do the two elements differ in bits that count? Two NaNs of type float or double do not differ,
+ * and the padding of a long double does not count. */
 static bool differ(redcc_type type, size_t size, const char *p, const char *q) {
     const size_t counted = type == REDCC_LONG_DOUBLE && LDBL_MANT_DIG == 64 ? 10 : size;
     return memcmp(p, q, counted) != 0 && !(is_nan(type, p) && is_nan(type, q));

@@ -6,9 +6,9 @@
  *
  * If the sequential loop's bits are promised, an element with other bits is an error. An integer
  * with another value is an error under any order. For floating sums in another order, only the
- * largest difference is reported. NaNs count as equal, whatever their bits. An execution is not
- * validated if another thread executes the same loop at the same time. Nor is it if an array is
- * scattered, because memory between its elements must not be copied.
+ * largest difference is reported. Any two NaNs of type float or double count as equal. An execution
+ * is not validated if another thread executes the same loop at the same time. Nor is it if an array
+ * is scattered, because memory between its elements must not be copied.
  *
  * With a plan, the written range is known before the loop runs. For a binned loop it is known only
  * before each round's updates are applied. So the saved ranges grow from round to round. If a

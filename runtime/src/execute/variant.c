@@ -7,8 +7,8 @@
  * microseconds. */
 enum { LEAST_PART = 512 };
 
-/* The smallest number of rounds in one execution of a trial. One round would not do, because the
- * first slice of an execution finds cold caches. */
+/* The smallest number of rounds after which a trial may be decided. One round would not do, because
+ * the first slice of an execution finds cold caches. */
 enum { LEAST_ROUNDS = 2 };
 
 static bool is_trial(const struct variants *it, bool open) {
@@ -30,7 +30,7 @@ bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
 }
 
 /* Ends a trial and stores the better variant. The next trial begins after four times the length of
- * the back-off, which doubles with each trial. */
+ * the back-off. This length doubles with each trial, up to a limit. */
 static void end_trial(struct variants *it, bool best) {
     it->pairs = (struct paired_timing){0};
     it->best = best;

@@ -31,16 +31,16 @@ struct variants {
 };
 
 /** The number of timing slices of an execution in which each thread executes `iterations`
- * iterations on average: as many as the trial still needs, if the iterations suffice for them. 0:
- * there is no trial. `open`: trials are allowed. */
+ * iterations on average: as many as the trial still needs, but at most one per 512 iterations, and
+ * at least one. 0: there is no trial. `open`: trials are allowed. */
 unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations);
 
 /** Does timing slice number `part` of the execution use prefetches? If trials are allowed (`open`),
  * slice 0 of the loop's first execution does. */
 bool redcc_variant_of(const struct variants *it, bool open, unsigned part);
 
-/** Records an execution that has ended, with the seconds per iteration of each slice. Called by one
- * thread at a time. */
+/** If trials are allowed (`open`), records an execution that has ended, with the seconds per
+ * iteration of each slice; this may end the trial. Called by one thread at a time. */
 void redcc_variant_note(struct variants *it, bool open, unsigned parts, const double *seconds);
 
 #endif

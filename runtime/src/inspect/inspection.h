@@ -114,10 +114,10 @@ struct inspection {
     struct levels levels;
 };
 
-/** Begins an inspection. is_direct: threads will find their iterations during execution. Then
- * owners kept from an earlier execution are used, if there are any; in all other cases, auto may
- * cut stealable blocks. Returns false if out of memory. Call redcc_inspection_end in either
- * case. */
+/** Begins an inspection. If `is_direct` is set, threads will find their iterations during
+ * execution. Then owners kept from an earlier execution with as many threads are used, if there are
+ * any, and auto cuts no stealable blocks. Returns false if out of memory. Call redcc_inspection_end
+ * in either case. */
 bool redcc_inspection_begin(struct inspection *inspection, bool is_direct);
 
 /** Sets the number of owners for which the sample cuts the arrays. */
@@ -196,12 +196,13 @@ enum reason redcc_dry_run_finish(struct inspection *inspection, redcc_int *trip)
 /** Begins the thread's part of the sample. */
 void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** Hands out the thread's iterations of the sample. False: none is left. */
+/** Hands out the thread's iterations of the sample, and then those of redcc_timing_hand_out.
+ * Returns false if none is left. */
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
-/** Called after the sample: hands out some iterations again, to time their slices. Returns false if
- * none is left, or if no estimate needs the time. */
+/** Called after the sample: hands out some iterations, in several passes, to time their slices.
+ * Returns false if none is left, or if no estimate needs the time. */
 bool redcc_timing_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
@@ -218,9 +219,10 @@ void redcc_sample_take(const struct inspection *inspection, struct inspector *in
  * must end. */
 enum reason redcc_sample_finish(struct inspection *inspection);
 
-/** Cuts the groups into the ranges of the owners, as the sample suggests, unless owners are kept
- * from an earlier execution. If `estimate` is not NULL, *estimate gets statistics of the cut.
- * Returns false if out of memory. */
+/** Cuts the groups into the ranges of the owners, as the sample suggests. If `estimate` is not
+ * NULL, *estimate gets statistics of the cut, and a map of owners by votes may be added. If owners
+ * are kept from an earlier execution, only sets the known ranges of sources. Returns false if out
+ * of memory. */
 bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
 
 /* ---- sweep (sweeping.c) ---------------------------------------------------------------------- */
@@ -289,8 +291,8 @@ redcc_int redcc_executed_joined(const struct inspection *inspection);
  * stealable blocks it is at least the fraction of an equal share. */
 double redcc_largest_share(const struct inspection *inspection);
 
-/** The number of iterations, in all threads' shares, that touch other owners than the iteration
- * before. */
+/** The number of spans in the threads' access summaries: about the number of iterations that touch
+ * other owners than the iteration before. */
 double redcc_count_runs(const struct inspection *inspection);
 
 #endif

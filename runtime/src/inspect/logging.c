@@ -26,7 +26,8 @@ static double touches_an_iteration(const struct inspection *inspection, bool lea
     return touches / iterations;
 }
 
-/* The approximate number of these touches in the iterations of one thread's share. */
+/* A slightly too high estimate of the number of touches (as in touches_an_iteration) in the
+ * iterations of this thread's share. */
 static size_t expected_touches(const struct inspection *inspection,
                                const struct inspector *inspector, bool leading) {
     const double share =

@@ -11,8 +11,8 @@
 #include "plan/method.h"
 #include "plan/tile_grid.h"
 
-/* A map of owners is used only if it makes the most loaded owner's share at least this much smaller
- * than cuts do: at most this fraction of it. Owner checks with a map are slower. */
+/* A map of owners is used only if the most loaded owner's share is then below this fraction of its
+ * share with cuts. Owner checks with a map are slower. */
 #define WORTH_A_MAP 0.9
 
 /* The iterations of a sample take at most this time, in seconds, when the loop executes them.
@@ -193,8 +193,8 @@ static void place_known_sources(struct inspection *inspection) {
 }
 
 /* Computes owners by majority votes, for threads that find their iterations during execution. Keeps
- * the map of these owners if its estimated share is better than that of the cuts. Returns false if
- * out of memory. */
+ * the map of these owners if its estimated share is clearly better than that of the cuts
+ * (WORTH_A_MAP). Sets estimate->direct. Returns false if out of memory. */
 static bool compare_votes(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;

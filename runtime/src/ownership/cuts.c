@@ -136,8 +136,9 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
 }
 
 /* Suppose that the cut below owner `owner` moves from before a point to after it, and that the
- * point's iteration has this label. Returns by how much the number of iterations on the wrong side
- * of the cut changes. */
+ * point's iteration has this label. Returns by how much the number of points on the wrong side of
+ * the cut changes. A point is on the wrong side if all owners of its iteration's label are on the
+ * other side. */
 static long change_beyond(struct label label, uint32_t owner) {
     return label.low > label.high ? 0 : (label.low >= owner) - (label.high < owner);
 }

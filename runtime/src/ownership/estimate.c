@@ -43,7 +43,7 @@ static bool is_new_row(const struct sample *sample, size_t i) {
 }
 
 /* Counts, for each owner and each share, the iterations in a thread's sample that touch it. Returns
- * how often consecutive iterations touch different owners. */
+ * how often the lowest or highest owner differs between consecutive sampled iterations. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
     const uint32_t each = 1 + partition->stealable;

@@ -7,9 +7,10 @@
 #include <assert.h>
 
 enum {
-    LEAST_ROOM = 1 << 16,  /* least number of bytes by which a range is extended on each side, if
-                            * nothing else is there */
-    MOST_WANTED = 1 << 10, /* greatest number of inspections that are required after failures */
+    LEAST_ROOM = 1 << 16,  /* number of bytes by which a shorter range is extended on each side, if
+                              the free space permits */
+    MOST_WANTED = 1 << 10, /* after a failure, the number of required inspections is doubled only if
+                              it is below this */
 };
 
 bool redcc_fences_new(struct fences *fences, const redcc_loop *loop) {
@@ -49,11 +50,11 @@ void redcc_fences_fail(struct fences *fences) {
 
 /* ---- fences of an execution ------------------------------------------------------------------ */
 
-/* A range that an inspection found, moved with its array or source to the present address, and the
- * free space around the range. */
+/* `seen`: a range that an inspection found, moved with its array or source to the present address.
+ * `free`: that range and the free space around it. */
 struct yard {
     struct range seen, free;
-    bool is_exact; /* the source's range is known, so it is not extended */
+    bool is_exact; /* the source's range was passed to redcc_enter, so it is not extended */
 };
 
 static struct yard yard_of(const struct fences *fences, const redcc_loop *loop, void *const *bases,
@@ -81,8 +82,8 @@ static bool may_not_meet(const redcc_loop *loop, uint32_t i, uint32_t k) {
                             redcc_may_meet_scalar(loop, k - arrays, i - arrays);
 }
 
-/* Bounds the free space of a range by another range with which it must not overlap. The two spaces
- * end at the same address: at the edge of `other` if that is exact, otherwise in the middle. */
+/* Ends the free space of `yard` before or after `other`, with which it must not overlap: at the
+ * edge of `other` if that is exact, otherwise in the middle between the two ranges. */
 static void bound(struct yard *yard, const struct yard *other) {
     const struct range seen = yard->seen, far = other->seen;
     if (redcc_range_empty(far))
@@ -108,7 +109,8 @@ static struct range with_room(const struct yard *yard) {
                           yard->seen.end + (behind < room ? behind : room)};
 }
 
-/* Finds the fence of array or source i. Returns false if there is none. */
+/* Computes the fence of array or source i (numbered as in fences->of). Returns false if its range
+ * is unknown, or overlaps a range from which it must be disjoint. */
 static bool find_fence(const struct fences *fences, const redcc_loop *loop, void *const *bases,
                        const redcc_extent *known, uint32_t i, struct range *fence) {
     struct yard yard = yard_of(fences, loop, bases, known, i);

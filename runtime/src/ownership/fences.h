@@ -2,23 +2,26 @@
 /**
  * Fences: ranges of memory that replace an inspection if threads classify iterations during the
  * execution (execute/select.h). An array's updates are expected inside the array's fence, and a
- * source's reads inside the source's fence. The fence of an array overlaps neither that of another
- * array nor that of a source with which the array may overlap (overlap.h).
+ * source's reads inside the source's fence. Two fences do not overlap if the overlap guard would
+ * compare their arrays or sources (overlap.h); those of two arrays never overlap.
  *
  * Before a thread executes an iteration, it evaluates the iteration's slice and compares each touch
- * and read with the fences. All threads do so for all iterations in order, and stop at the first
- * iteration that leaves a fence. No earlier iteration has updated memory that an iteration reads,
- * whichever thread executed it. So the overlap guard holds for the earlier iterations, each slice
- * computes the values of the sequential loop, and all threads stop at the same iteration. The slice
- * of that iteration ends at the first touch or read outside, before it loads a value that the
- * iteration itself may have updated, if such a load could do harm (REDCC_DRY_RUN). After all
- * threads have executed the earlier iterations, one thread executes the remaining ones in order.
- * Only loops with REDCC_FENCED or REDCC_FENCED_SERIES permit this. In a loop with series, the
- * thread that executes the remaining iterations adds their operands directly. Before, it computes
- * the sums of the earlier iterations by executing these again, in order and without updates. Their
- * operands are the same as before: none has updated what another one reads.
+ * and read with the fences. Without a survey (execute/survey.h), each thread does so for all
+ * iterations in order. All threads stop at the first iteration that leaves a fence. The iterations
+ * before it update nothing that any of them reads. So the overlap guard holds for them, their
+ * slices compute the values of the sequential loop, and all threads stop at the same iteration. In
+ * a loop with REDCC_DRY_RUN, the slice of that iteration ends at its first touch or read outside of
+ * the fences, before it loads a value that the iteration itself may have updated.
  *
- * A fence is the range that the last complete inspection found, extended on both sides.
+ * When all threads have executed the earlier iterations, one thread executes the remaining ones in
+ * order. Only loops with REDCC_FENCED or REDCC_FENCED_SERIES permit this. In a loop with series
+ * (redcc/series.h), this thread first executes the earlier iterations again, in order and without
+ * updates, to compute their sums. They yield the same operands as before, because none has updated
+ * what another one reads. The thread then adds the operands of the remaining iterations directly.
+ *
+ * If redcc_enter was given a source's extent, this extent is the source's fence. Any other fence is
+ * the range that the last complete inspection found, moved with the array or source and extended on
+ * both sides.
  */
 #ifndef REDCC_FENCES_H
 #define REDCC_FENCES_H
@@ -56,20 +59,21 @@ struct fences {
 bool redcc_fences_new(struct fences *fences, const redcc_loop *loop);
 void redcc_fences_free(struct fences *fences);
 
-/** Notes the ranges touched[array_count] and read[source_count] of an inspection, which found them
- *  disjoint. The other parameters are those of redcc_enter. */
+/** Stores in fences->of the ranges touched[array_count] and read[source_count] of an inspection,
+ * which found them disjoint. The other parameters are those of redcc_enter. */
 void redcc_fences_learn(struct fences *fences, const redcc_loop *loop, void *const *bases,
                         const redcc_extent *known, const struct range *touched,
                         const struct range *read);
 
-/** Notes that an iteration has left a fence. More inspections must then precede the next fences. */
+/** Called when an iteration has left a fence: about twice as many inspections as before must then
+ * precede the next fences. */
 void redcc_fences_fail(struct fences *fences);
 
 /** Begins an execution without fences: all ranges are unbounded, so no iteration leaves them. */
 void redcc_fences_open(struct fences *fences, const redcc_loop *loop);
 
-/** Sets the fences of the execution. Returns false if that is impossible, so that the execution
- *  needs an inspection. */
+/** Sets the fences of the execution. Returns false if ranges are unknown or overlap, or if more
+ * inspections are wanted; then the execution needs an inspection. */
 bool redcc_fences_set(struct fences *fences, const redcc_loop *loop, void *const *bases,
                       const redcc_extent *known);
 

@@ -2,9 +2,10 @@
 /**
  * Chooses owners by majority votes. The iterations are divided into consecutive parts with equal
  * numbers of touches, one part for each owner. A block of rows belongs to the owner whose part
- * touches it most. Thus rows that are stored after all others (halo cells, ghost atoms) belong to
- * the thread that updates their neighbours. The loop's result does not depend on the map, which
- * only assigns work to threads.
+ * touches it most, except that each change of owners between adjacent blocks costs some votes. Thus
+ * rows that are stored after all others (halo cells, ghost atoms) belong to the thread that updates
+ * their neighbours. The loop's result does not depend on the map, which only assigns work to
+ * threads.
  */
 #ifndef REDCC_OWNER_MAP_H
 #define REDCC_OWNER_MAP_H
@@ -14,7 +15,7 @@
 
 /** Gives the partition a map, by votes of the samples of `threads` threads; touched[g] is the range
  * in which group g was touched. The partition has no map afterwards if memory runs out, an array is
- * scattered, or there are too many owners. */
+ * scattered, the samples are empty, or there are too many owners or bytes. */
 void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
                           const struct sample *const *samples, int threads);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The partition of the reduction arrays' bytes among owners. Arrays that overlap form a group, and
- * each group is cut into one consecutive part per owner. Owner number o owns part number o of every
- * group.
+ * The partition of the reduction arrays' bytes among owners. Arrays that are found to overlap form
+ * a group, and each group is cut into one consecutive part per owner. Owner number o owns part
+ * number o of every group.
  */
 #ifndef REDCC_PARTITION_H
 #define REDCC_PARTITION_H
@@ -112,7 +112,8 @@ static inline bool redcc_leads_group(const struct partition *partition, uint32_t
 enum merge_result {
     MERGE_NOTHING, /* no two groups overlap */
     MERGE_DONE,    /* groups were merged, and their cuts and ranges must be recomputed */
-    MERGE_REFUSED  /* two groups overlap in such a way that no cut lies between units of both */
+    MERGE_REFUSED  /* two groups overlap, but not every unit boundary of the one with larger units
+                      is one of the other */
 };
 
 /** Merges groups whose ranges touched[group] overlap, and updates touched[array_count]. */

@@ -20,8 +20,8 @@ struct sweep {
     bool touched;        /* the current iteration touches an element */
     bool mixed; /* the current iteration touches elements of several owners, which are in `list` */
     uint32_t last_set;
-    redcc_int in_last_set; /* number of the last iterations that touch last_set and are not yet
-                              added to the summary */
+    redcc_int in_last_set; /* number of the last iterations whose set of owners is last_set; they
+                              are not yet added to the summary */
     uint64_t iteration;    /* number of iterations so far that touch several owners */
     uint64_t *stamp; /* [owners] for each owner, the value of `iteration` in the last iteration with
                         several owners that touched it */

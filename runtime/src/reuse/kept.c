@@ -100,9 +100,10 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
     return hash ^ hash >> 31;
 }
 
-/* A hash of a few words of a subscript array. 0 if the call does not give the array's range. */
+/* A hash of a few words of a subscript array. 0 if the source is no subscript array, or if the call
+ * does not give its range or the range is shorter than a word. */
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
-    enum { WORDS = 32 }; /* so many take some 3 microseconds if none is in the caches */
+    enum { WORDS = 32 }; /* reading so many takes some 3 microseconds if none is in the caches */
     uint64_t hash = 0;
     if (!(source.flags & REDCC_IS_SUBSCRIPT) || !known.end ||
         known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
@@ -175,7 +176,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
             found = kept;
     }
     reuse->found = found;
-    /* called again, because it also sets the sources' ranges */
+    /* fits is called again, because it also sets reuse->sources and reuse->written */
     if (!found || !fits(reuse, found, threads))
         return;
     if (redcc_may_be_aliased(

@@ -63,19 +63,20 @@ struct reuse {
     int changed_source; /* the source whose change made a plan invalid in this call; -1: none */
 };
 
-/** A hash of some words of each subscript whose range the call gives, for reuse->sampled; 0: the
- * call gives no range. */
+/** A hash of some words of each subscript array whose range the call gives, for reuse->sampled; 0:
+ * none could be sampled. */
 uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known);
 
-/** Hashes all subscripts. Returns false if the range of a subscript array is unknown, or if hashing
- * takes more than `seconds`. */
+/** Hashes all subscripts into *all. Returns false if the loop lacks REDCC_VERIFIABLE, if the range
+ * of a subscript array is unknown, or if hashing takes more than `seconds`. */
 bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, double seconds,
                              struct fingerprint *all);
 
 /** Searches for a plan of strategy `way` (WAY_SEQUENTIAL: of any strategy) for the call and for
  * `threads` threads. It compares everything except the full contents of subscripts, of which it
- * compares only a sample, and checks the overlap guard. If it finds a plan, it queries or begins
- * write tracking. Sets reuse->found and reuse->sources. */
+ * compares only a sample, and checks the overlap guard. Drops a plan that it finds if memory may
+ * have several addresses; otherwise counts a new round of the plan, and queries or begins write
+ * tracking. Sets reuse->found, reuse->sources and reuse->written. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
 /** Sets the bit of a strategy in *fits if redcc_reuse_find would find a plan of this strategy. Sets

@@ -54,16 +54,17 @@ struct access_log {
     struct unit_list further;
     redcc_int begin;      /* the first iteration of the thread's share */
     redcc_int iterations; /* number of iterations recorded */
-    size_t most;          /* maximum number of items of a list */
-    bool too_much;        /* a list would have had more than `most` items */
+    size_t most;          /* a list with this many items is not enlarged */
+    bool too_much;        /* a full list of at least `most` items would have had to be enlarged */
     bool beyond;          /* a touch was outside of all units, so the lists are unusable */
     bool failed;          /* out of memory */
 };
 
 /** Begins a log at iteration `begin`, with space for about expected[0] touches of the leading group
- * and expected[1] touches of the other groups. A list has at most `most` items. seen[array_count]
- * has the ranges of the groups that the thread has touched; it belongs to the caller, and the log
- * extends the ranges. Returns false if out of memory. Call redcc_access_log_end in either case. */
+ * and expected[1] touches of the other groups. A list is not enlarged once it has `most` items.
+ * seen[array_count] has the ranges of the groups that the thread has touched; it belongs to the
+ * caller, and the log extends the ranges. Returns false if out of memory. Call redcc_access_log_end
+ * in either case. */
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most);
@@ -83,7 +84,7 @@ struct access_log_reader {
 };
 
 /** Reads the next unit of the current iteration, or REDCC_NO_UNIT if the iteration has none. Sets
- * *last if it is the iteration's last item. */
+ * *last to whether it is the iteration's last item. */
 static inline uint32_t redcc_access_log_read(struct access_log_reader *reading, bool *last) {
     const uint32_t item = reading->list->item[reading->at++];
     *last = item & REDCC_LAST;

@@ -45,8 +45,8 @@ static void count_gains(const struct graph *graph, uint32_t node, const unsigned
 }
 
 /* The part with the highest gain for a node of weight `weight`, among `here`, the node's part, and
- * the parts with room for the node. If several parts have equal gains, it is the lightest. If part
- * `here` is too heavy, its gain counts as 0. */
+ * those parts into which it has edges and which have room for it. If several parts have equal
+ * gains, it is the lightest. If part `here` is too heavy, its gain counts as 0. */
 static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
@@ -135,8 +135,8 @@ static void order_from_boundary(struct division *division, const uint32_t *node,
     search_from(division, outer, node, count, within);
 }
 
-/* The limit of a part's weight: an equal share plus 1 % or the heaviest node's weight, so that
- * refinement can move nodes. */
+/* The limit of a part's weight: `share` plus the larger of 1 % and the heaviest node's weight, so
+ * that refinement can move nodes. */
 static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
     const uint64_t percent = share / 100;
     return share + (percent > heaviest ? percent : heaviest);

@@ -67,7 +67,7 @@ static inline uint32_t add(uint32_t weight, uint32_t more) {
     return sum < weight ? UINT32_MAX : sum;
 }
 
-/* All ones if the node is full: or'ed to its rank, they prevent that the node is chosen. Otherwise
+/* All ones if the node is full; or'ed to its rank, they prevent it from being chosen. Without this,
  * a row that all iterations update would join all nodes. */
 static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
     return size && size[node] >= most ? NOTHING : 0;

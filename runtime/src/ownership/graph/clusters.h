@@ -62,11 +62,13 @@ void redcc_clusters_end(struct clusters *clusters);
 /** Computes the choice of each unit, considering only this thread's iterations. */
 void redcc_clusters_choose(struct clusters *clusters, int thread);
 
-/** Combines the choices and weights of nodes [first, end) over all threads. */
+/** Combines the choices of nodes [first, end) over all threads; after the first round also their
+ * weights. */
 void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end);
 
 /** Joins nodes to clusters of at most `most` units. Returns false and joins nothing if the clusters
- * are few enough, if the last round merged less than half of the nodes, or after six rounds. */
+ * are few enough, if the second or a later round merged less than half of the nodes, or after six
+ * rounds. */
 bool redcc_clusters_join(struct clusters *clusters);
 
 /** Stores the new cluster of each of the units [first, end). */

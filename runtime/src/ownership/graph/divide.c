@@ -93,8 +93,8 @@ static struct share share_of(const struct divide *divide, uint32_t count, int th
 }
 
 /* Waits at a barrier. The last thread to arrive calls `alone`, unless a thread has failed (`done`
- * is false) or the deadline has passed. Returns whether the threads may continue; all threads get
- * the same result. */
+ * is false) or the deadline has passed. Returns whether the threads may continue: also false if
+ * `alone` fails. All threads get the same result. */
 static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *)) {
     if (!done)
         atomic_store(&divide->failed, true);
@@ -108,8 +108,8 @@ static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *
 
 /* ---- clusters of units ----------------------------------------------------------------------- */
 
-/* Begins the clusters. Their maximum size is small enough for balanced parts, and large enough for
- * a small graph. */
+/* Allocates the owners and votes, and begins the clusters. The clusters' maximum size is small
+ * enough for balanced parts, and large enough for a small graph. */
 static bool begin_clusters(struct divide *divide) {
     const struct units *units = &divide->units;
     const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);

@@ -72,8 +72,9 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
  * and belongs to the caller. */
 enum divide_result redcc_divide(struct divide *divide, int thread, struct range *seen);
 
-/** Joins stealable blocks to the owners before them. They must have been joined in the partition
- * already. All threads call this function, and get the same result. */
+/** Called after redcc_partition_join_stealable: merges the units of stealable blocks into the
+ * owners before them, and summarises the iterations again. All threads call this function, and get
+ * the same result. */
 enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen);
 
 /** Frees intermediate results. */

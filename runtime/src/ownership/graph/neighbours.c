@@ -11,8 +11,8 @@
  * proportional to the touches. */
 enum { CLIQUE = 4 };
 
-/* A node that has more edges than this, counting parallel edges separately, is a hub, whose edges
- * are dropped. */
+/* A node that has more edges than this, counting parallel edges separately, is a hub, and the edges
+ * stored at it are dropped. */
 enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {

@@ -52,8 +52,8 @@ bool redcc_graph_take(struct graph *graph);
 void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, int lists,
                       uint32_t first, uint32_t end);
 
-/** Merges parallel edges, adding up their strengths. Removes the edges of hubs (nodes with too many
- * edges). False: out of memory. */
+/** Merges parallel edges, adding up their strengths. Removes the edges that are stored at hubs
+ * (nodes with too many edges), and edges from a node to itself. False: out of memory. */
 bool redcc_graph_merge(struct graph *graph);
 
 #endif

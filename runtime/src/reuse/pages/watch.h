@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Dirty-page tracking (by write protection) for all loops of the process. A range of pages keeps
- * its version until one of the pages is written; versions are never reused. Every function is
- * thread-safe and never waits. If another thread is in one of the functions, the answer is
- * negative.
+ * its version until one of the pages is written; versions are never reused. The functions are
+ * thread-safe and never wait. If another thread is in one of them, they return 0 or WATCH_BUSY.
  */
 #ifndef REDCC_WATCH_H
 #define REDCC_WATCH_H

@@ -65,7 +65,8 @@ static int request_of(const struct opened *opened, unsigned long request, const 
 }
 
 /* The lowest number for the descriptors that this file opens: the last two numbers of the current
- * descriptor table, or 512 and above. Thus the program continues to get low numbers. */
+ * descriptor table, or 512. If the process's limit is below that, half of the limit. Thus the
+ * program continues to get low numbers. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();

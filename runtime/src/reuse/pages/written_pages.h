@@ -13,8 +13,8 @@
 bool redcc_pages_begun(void);
 
 /** Opens the descriptors and tests them. Returns false if the system does not support tracking, or
- * if the process must not try it (redcc_is_confined, redcc_has_accelerator). After that, all
- * attempts in this process fail at once. */
+ * if the process must not try it (redcc_is_confined, redcc_has_accelerator). After a failure, all
+ * later attempts in this process fail at once. */
 bool redcc_pages_begin(void);
 
 /** Protects these whole pages, so that writes to them are recorded. False on failure. */
