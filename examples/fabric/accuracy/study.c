@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "step/integrator.h"
 
-/* The reference is refined at most this many times. */
+/* The reference is computed at most this many times, each time with twice as many steps. */
 enum { MOST_ROUNDS = 4 };
 
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,

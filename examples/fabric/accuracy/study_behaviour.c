@@ -19,8 +19,8 @@
 #include "step/integrator.h"
 #include "step/simulation_state.h"
 
-/* Runs the scene without damping and drag (tangential drag remains) in the middle one of the
- * study's numbers of steps, and writes the energy over time. */
+/* Runs the scene without damping and drag in the middle one of the study's numbers of steps, and
+ * writes the energy over time. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
     scene s = divided(&of->base, of->steps[of->step_count / 2]);

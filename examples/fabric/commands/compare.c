@@ -100,8 +100,9 @@ static int same_mesh(const state *a, const state *b) {
     return a->vertex_count == b->vertex_count && a->triangle_count == b->triangle_count;
 }
 
-/** Prints the differences and returns the exit status. If tolerance (m) is negative, all bits must
- *  be equal; otherwise only positions are compared. */
+/** Prints the differences and returns the exit status. If `tolerance` (m) is negative, all bits of
+ *  positions and velocities must be equal; otherwise it is the largest permitted difference of
+ *  positions. */
 static int compare(const state *a, const int *a_place, const state *b, const int *b_place,
                    double tolerance) {
     const int count = a->vertex_count;

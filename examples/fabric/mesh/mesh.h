@@ -44,9 +44,10 @@ int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned see
 int mesh_connect(mesh *m, int *non_manifold, char *error);
 
 /** Renumbers the vertices; `seed` is for the shuffled order. Triangles, edges and hinges are then
- *  sorted by their vertices, except that the shuffled order shuffles them too. new_of_old
- *  [vertex_count] receives the permutation unless it is NULL; with it, results in different orders
- *  can be compared. Returns 0, or -1 with a message in error[256]; the mesh is then unchanged. */
+ * sorted by their vertices, except that the shuffled order shuffles them too, and
+ * MESH_ORDER_GENERATED changes nothing. new_of_old [vertex_count] receives the permutation unless
+ * it is NULL; with it, results in different orders can be compared. Returns 0, or -1 with a message
+ * in error[256]; the mesh is then unchanged. */
 int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error);
 
 /** Renumbers the vertices by a permutation (`back`: by its inverse, which undoes mesh_reorder), and

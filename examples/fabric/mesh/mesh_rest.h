@@ -27,7 +27,7 @@ double mesh_rest_area(const mesh *m);
 enum {
     MESH_FLAT_TRIANGLE, /* no rest shape: no force */
     MESH_NO_MATERIAL,   /* rest shape from positions */
-    MESH_FLIPPED,       /* triangles folded over all their neighbours */
+    MESH_FLIPPED,       /* triangles folded over their neighbours */
     MESH_SEAM,          /* vertices at the position of another one: the mesh is not joined there */
     MESH_LONE_VERTEX,   /* vertices in no triangle: held in place */
     MESH_NON_MANIFOLD,  /* edges of more than two triangles: only the first two make a hinge */

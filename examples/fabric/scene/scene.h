@@ -46,8 +46,9 @@ typedef enum pin_kind { PIN_RECTANGLE, PIN_BOX, PIN_NEAREST, PIN_VERTICES } pin_
 typedef struct pin {
     int by;                       /* pin_kind */
     double low[2], high[2];       /* m, rectangle of material coordinates */
-    double box_low[3];            /* m, a box in space that contains the initial positions of */
-    double box_high[3];           /* the selected vertices */
+    double box_low[3];            /* m, lowest corner of a box in space */
+    double box_high[3];           /* m, highest corner; the pin selects the vertices that start in
+                                     the box */
     double nearest[3];            /* m, a point: selects the vertex that starts nearest to it */
     int vertex_count;             /* length of `vertices` */
     int *vertices;                /* [vertex_count] numbers before reordering, from 1; owned by the
@@ -171,8 +172,8 @@ typedef struct scene {
     monitor_limits monitor;
 } scene;
 
-/** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints
- *  "file:line: ..., expected ..." with the nearest valid name to standard error. */
+/** Reads a scene. Returns 0, or -1 after a message "file:line: ..., expected ..." on standard
+ * error. For an unknown key it has the nearest valid name. */
 int scene_read(scene *s, const char *path);
 /** Applies an assignment such as material.bend=0.01 (--set). Its left side has the file's keys,
  *  joined by dots. Returns 0, or -1 after a message. */
@@ -201,8 +202,9 @@ char *scene_text(const scene *s, size_t *size);
  *  instead of the file's name. */
 int scene_read_text(scene *s, char *text, size_t size, const char *name);
 
-/** Do two scenes differ in anything but the number of steps and the names of files? If so, the
- *  first difference is in text[256]: "'material.bend' is 0.01, there 0". */
+/** Do two scenes differ in anything but the number of steps and the names of files? True also if
+ * memory runs out. If they differ, the first difference is in text[256]: "'material.bend' is 0.01,
+ * there 0". */
 int scene_differ(const scene *a, const scene *b, char *text);
 
 #endif

@@ -97,7 +97,7 @@ typedef struct progress {
     int goes_on;
 } progress;
 
-/* Decides whether another iteration follows one whose direction p had this p . image. */
+/* Decides whether another iteration follows. `curvature` is p . image of the last direction p. */
 static void decide(progress *p, double curvature, double goal, long most) {
     p->goes_on = 0;
     if (!isfinite(curvature))

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The order of the domains' passes (solver_domains.c), without barriers. A domain that is swept
- * waits until its neighbours have completed a pass, and then ends its own. Threads that wait only
- * for neighbours are busy although three domains of a kind do not divide between two threads.
+ * waits until its neighbours have completed a pass, and then ends its own. So two threads stay busy
+ * even if, for instance, there are three even domains, which cannot be divided between them
+ * equally.
  *
  * No wait lasts forever if each thread makes its passes in the order of their numbers.
  */

@@ -20,10 +20,9 @@ typedef struct solver_fallback {
 enum { SOLVER_MANY_ITERATIONS = 1000 };
 
 /** Solves like solver_solve. A system that does not converge within the limits is solved directly,
- *  and so are the next ones, because they are similar. Systems are also solved directly after a
- *  system that took at least 1000 iterations and over four times the work of its direct solution.
- *  Work is computed from the sparsity pattern, not timed, so the choice is the same on every
- *  machine. */
+ * and so are the next 50, because they are similar. Systems are also solved directly after a system
+ * that took at least 1000 iterations and over four times the work of its direct solution. Work is
+ * computed from the sparsity pattern, not timed, so the choice is the same on every machine. */
 solver_status solver_fallback_solve(solver_fallback *f, solver *s, const linear_system *system,
                                     const constraints *c, const solver_limits *limits,
                                     double (*dv)[3], long *iterations);

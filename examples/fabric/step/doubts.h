@@ -11,8 +11,8 @@
 /**
  * Prints a line to `to` for each pin that holds nothing, a self-collision gap as wide as the
  * cloth's edges, each collider's gap as wide as the cloth, and coordinates that seem to be in
- * another unit. A line has the scene's name, the value found and the expected one. Returns the
- * number of lines, or -1 if out of memory.
+ * another unit. A line begins with the scene's name. Returns the number of lines, or -1 if out of
+ * memory.
  */
 int scene_doubts(const scene *s, const mesh *m, FILE *to);
 

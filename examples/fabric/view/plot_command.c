@@ -36,8 +36,7 @@ static int run_gnuplot(const char *folder, const char *plots, const char *name) 
     return WEXITSTATUS(status);
 }
 
-/** Draws the tables that exist. Returns 0, or -1 (after a message unless the program's folder is
- *  unknown). */
+/** Draws the tables that exist. Returns 0, or -1 after a message. */
 static int draw(const char *folder) {
     char plots[FILE_PATH_SIZE], name[64], path[FILE_PATH_SIZE];
     int drawn = 0;
