@@ -5,7 +5,7 @@
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
 
-/* Returns a condition that is true in a few iterations, in none, or in one of a few calls. */
+/* Returns a condition that is true in few iterations or in none. */
 static const char *rare_condition(kernel *k) {
     const char *p = any_name(k, &k->scope.positions);
     switch (below(k, 9)) {

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Functions that update several elements given by their parameters, with early returns, parameters
- * that change, sums by address, results, and functions of their own; or that do something by which
- * the loop must stay as it is. Of programs whose seeds leave 3, divided by 19. */
+ * that change, sums by address, results, and functions that they call. Some contain a statement
+ * that should prevent the transformation of the loop. Only in programs with seed % 19 == 3. */
 #include "fuzz/kernel.h"
 
 typedef struct pair {
     const array *a;
     const char *type; /* of an element */
     const char *function;
-    bool by_subscripts;         /* p, i, j; or a, b: the elements' addresses */
+    bool by_subscripts;         /* the parameters are p, i, j; otherwise the elements' addresses a,
+                                   b */
     const char *first, *second; /* the elements, as the function spells them */
     bool has_sum, has_result;
 } pair;
@@ -30,7 +31,7 @@ static const char *condition_in(kernel *k) {
     return conditions[below(k, 5)];
 }
 
-/* An update of one of the elements, by itself or by another function. */
+/* Appends an update of one of the elements, as a statement or as a call of another function. */
 static void put_update(kernel *k, const pair *p, const char *where) {
     const char *const by = chance(k, 50) ? "u" : "v";
     if (chance(k, 20)) {
@@ -51,7 +52,8 @@ static void put_return(kernel *k, const pair *p) {
     put(k, &k->globals, "return%s;\n", p->has_result ? chance(k, 50) ? " w" : " 0.25" : "");
 }
 
-/* By which the iterations depend on each other, or the function on more than its arguments. */
+/* Appends a statement that should prevent the transformation of the loop. With most of them the
+ * iterations depend on each other, or the function depends on more than its arguments. */
 static void put_reason(kernel *k, const pair *p) {
     switch (below(k, 6)) {
     case 0: /* the element that other calls update */

@@ -93,7 +93,8 @@ static void mask(kernel *k) {
     add_name(&k->scope.smalls, text(k, "(%s %% 3)", use));
 }
 
-/* While the loop runs, the program neither reads nor writes such an object. */
+/* Appends an update of a write-protected object, under a condition that never holds. So the program
+ * does not write the object while the loop runs. */
 static void held_scalar(kernel *k) {
     static const struct {
         const char *type, *initial, *update; /* %1$s: the object, %2$s: a value, %3$s: an integer */

@@ -268,7 +268,8 @@ static void scalar_sum(kernel *k) {
     store_after(k, name);
 }
 
-/* Adds 1 to a secondary counter through a copy; or sometimes 0, then a condition decides. */
+/* Appends statements that add 1 to a secondary counter through a copy. Sometimes they add 0 in
+ * iterations in which a condition holds. */
 static void copied_step(kernel *k, const char *type, const char *name) {
     const char *next = new_name(k, "copy"), *by = text(k, "%d", 1 + below(k, 3));
     if (chance(k, 60)) {

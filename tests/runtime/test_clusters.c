@@ -89,7 +89,8 @@ static uint32_t root_of(uint32_t *parent, uint32_t unit) {
     return unit;
 }
 
-/* Checks that iterations connect all units of a cluster within it. */
+/* Checks for each cluster that iterations connect its units, without units of other clusters
+ * between them. */
 static void check_connected(const struct touched *it, const struct clusters *clusters) {
     uint32_t parent[UNITS];
     for (uint32_t unit = 0; unit < UNITS; unit++)

@@ -126,8 +126,8 @@ static void only_large_arrays_that_are_written_in_place(void **unused) {
     assert_false(redcc_prefetch_is_possible(&plan));
 }
 
-/* Light iterations prefetch if their runs have fewer than four iterations on average and they write
- * to larger arrays. */
+/* Prefetches are of use to light iterations only if their runs have fewer than four iterations on
+ * average and the updated ranges are longer than 8 MiB in total. */
 static void light_iterations_in_no_order(void **unused) {
     (void)unused;
     struct offsets touched[1] = {{0, (8 << 20) + 1}};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which signals wait during a loop, and in which threads. Also: a loop's threads have the memory
- * rights of the thread that entered it. */
+/* Which signals are blocked during a loop, and in which threads. Also: a loop's threads have the
+ * memory rights of the thread that entered it. */
 #define _GNU_SOURCE
 #include "base/rights.h"
 #include "base/signals.h"

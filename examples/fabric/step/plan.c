@@ -7,8 +7,9 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* Returns the time of the next event after `after`, or infinity if there is none. At an event wind,
- * a pin, a pin's motion or a collider begins or ends, or a keyframe is reached. */
+/* Returns the time of the next event after `after`, or infinity if there is none. An event is the
+ * beginning or the end of wind, of a pin's motion or of a collider, the end of a pin, or a
+ * keyframe. */
 static double next_event(const scene *s, double after) {
     double next = INFINITY;
 #define CONSIDER(time)                                                                             \

@@ -19,9 +19,9 @@ void plan_follow(simulation *sim);
  *  in_force.plan_time, the time for which plan_make or plan_follow found them last. */
 void plan_return_to(simulation *sim, double time);
 
-/** Stores in `time` [most], ascending, the first times of events. At an event wind, a pin, a pin's
- *  motion or a collider begins or ends, or a keyframe is reached. Returns the total number of
- *  events' times. */
+/** Stores in `time` [most], ascending, the first times of events after time 0. An event is the
+ * beginning or the end of wind, of a pin's motion or of a collider, the end of a pin, or a
+ * keyframe. Returns the total number of events' times. */
 int plan_events(const scene *s, double *time, int most);
 
 #endif

@@ -129,7 +129,8 @@ static void take_in(team_level *at, const team_round *round) {
     at->rounds++;
 }
 
-/* The time that a trial must beat: that of a usual round, and of the one before a second trial. */
+/* Returns the time that a trial must beat: that of a usual round or, in a second trial, that of the
+ * round between the two trials if it is shorter. */
 static double time_to_beat(const team *t, long iterations) {
     const double usual = predicted(&t->at[t->level], iterations);
     const double before = t->confirms ? predicted(&t->between, iterations) : usual;

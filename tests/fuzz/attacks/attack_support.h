@@ -34,8 +34,8 @@ void attack_note(double value);
 
 /* The functions below are in another file, so the translator does not see their bodies. */
 
-/** Sets the `count` bytes of which each function from attack_watched to expectf reads one. The low
- * bits of its argument select the byte. */
+/** Sets the `count` bytes of which each function from attack_watched to expectf reads one. Its
+ * argument determines which byte. */
 void attack_watch(const void *bytes, size_t count);
 int attack_watched(int i);
 int parity(int i);
@@ -58,17 +58,17 @@ int attack_thread_value(int i) __attribute__((pure));
 int attack_thread_number(void) __attribute__((const));
 /** Sets the calling thread's number, and fills its table accordingly. */
 void attack_set_thread(int value);
-/** Sets the calling thread's character classes to those of the locale that ATTACK_LOCALE names.
- * attack_reset_locale restores them. */
+/** Sets the calling thread's character classes to those of the locale that the environment variable
+ * ATTACK_LOCALE names, if that locale exists. attack_reset_locale sets those of the process. */
 void attack_set_locale(void);
 void attack_reset_locale(void);
 /** Returns its argument, which the compiler cannot know. */
 void *attack_same(const void *p) __attribute__((const));
-/** Maps 1024 zeros at both[0] and at both[1], at the addresses of an earlier call. kind 0: two
- * objects. 1: one object, mapped twice. 2: one object, mapped twice at adjacent addresses. 3: one
- * object, of which the second mapping is private (copy-on-write). */
+/** Maps 1024 zeros at each of the addresses both[0] and both[1]. If both[0] is NULL, first sets the
+ * two addresses. kind 0: two objects. 1: one object, mapped twice. 2: one object, mapped twice at
+ * adjacent addresses. 3: one object, of which the second mapping is private (copy-on-write). */
 void attack_map(unsigned long *both[2], int kind);
-/** For objects in pages of their own, which can only be read after attack_hold. */
+/** For objects in pages of their own, which can only be read once attack_hold has been called. */
 #define ATTACK_PAGE __attribute__((section("attack_pages"), aligned(4096)))
 void attack_hold(void);
 void attack_mark(const void **entries, int count, const void *mark);

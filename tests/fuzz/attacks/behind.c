@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The loop assigns a variable. After the loop, or around it, statements of all kinds may read the
- * variable or write it first. Each is a separate function with a loop at a random place. */
+ * variable or write it first. The statements are in a function of their own, and the loop is at a
+ * random place among them. */
 #include "fuzz/attacks/attack.h"
 
 enum { DEEPEST = 4 };

@@ -30,7 +30,8 @@ static place difference(attack *a) {
                    c == 1 && chance(a, 60) ? "t > 0" : text(a, "t >= %d", c)};
 }
 
-/* A 32-bit product that wraps around; it is read where it is small. */
+/* A 32-bit product that wraps around. The element is read where the product is less than the limit.
+ * */
 static place wrapping_product(attack *a) {
     static const char *const factors[] = {"0x80000001u", "0xc0000001u", "0x40000002u",
                                           "0xffffffffu", "0x10001u",    "3u",
@@ -41,8 +42,8 @@ static place wrapping_product(attack *a) {
 }
 
 /* A signed product that would overflow in some iterations. It is computed only where it does not,
- * and where the element is below the limit. A step is about 300 elements, and an int holds no more
- * than five steps. */
+ * and where the element is below the limit. A step is about 300 elements, and an int holds at least
+ * five steps. */
 static place overflowing_product(attack *a) {
     const int stride = 300000000 + below(a, 90000000);
     const int first = chance(a, 50) ? 0 : below(a, a->trips - 2);

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * executions SEED executes a loop 20 to 120 times, translated and sequentially, each on a separate
+/* executions SEED executes a loop 20 to 119 times, translated and sequentially, each on a separate
  * world (world.h). From time to time both worlds get the same change of subscripts, values, lengths
  * or addresses. After each execution the worlds must be equal, byte for byte. Prints what the seed
  * selects. Exit status 1: the worlds differ, and the first difference is printed; 2: the seed is no
- * number, or memory is lacking.
- */
+ * number, or memory is lacking. */
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,8 +24,8 @@ typedef struct plan {
     bool changes_threads;
 } plan;
 
-/* Returns a trip count: mostly short loops, which `auto` does not run in parallel, and a few long
- * ones. */
+/* Returns a trip count of up to 2000, 80000 or 600000. `auto` does not run the shortest loops in
+ * parallel. */
 static int any_length(random_source *r) {
     static const int more[] = {2000, 80000, 80000, 600000};
     return 1 + random_below(r, more[random_below(r, 4)]);
