@@ -24,8 +24,8 @@ static long process; /* if there is no such page: the id of the process register
 #if defined(__linux__)
 
 /* Does the process have several threads? Its task directory has one subdirectory per thread. The
- * number of the directory's links is 2 plus the number of subdirectories. Also true without /proc.
- * */
+ * number of the directory's links is 2 plus the number of subdirectories. Also true if there is no
+ * /proc. */
 static bool has_threads(void) {
     struct statx tasks;
     return redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0 ||

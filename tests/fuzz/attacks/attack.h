@@ -87,9 +87,8 @@ int below(attack *a, int n);
 const char *one_of(attack *a, int count, const char *const *choices);
 /** Appends a statement that may be executed between two calls of the kernel. */
 void may_change(attack *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/** Declares a static table `name$` of `trips` + SPARE ints in 0 ... below - 1. Between calls
- * elements may change in the second half of the range of `trips` elements that begins at `first`.
- * */
+/** Declares a static table `name$` of `trips` + SPARE ints in 0 ... below - 1. Elements in the
+ * second half of the range of `trips` elements from `first` on may change between calls. */
 void put_table(attack *a, const char *name, int below, int first);
 /** Records the name of what this feature does. */
 void note(attack *a, const char *kind);

@@ -30,8 +30,8 @@ static place difference(attack *a) {
                    c == 1 && chance(a, 60) ? "t > 0" : text(a, "t >= %d", c)};
 }
 
-/* A 32-bit product that wraps around. The element is read where the product is less than the limit.
- * */
+/* A 32-bit product that wraps around. The element is only read where the product is less than the
+ * limit. */
 static place wrapping_product(attack *a) {
     static const char *const factors[] = {"0x80000001u", "0xc0000001u", "0x40000002u",
                                           "0xffffffffu", "0x10001u",    "3u",
