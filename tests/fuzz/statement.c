@@ -64,7 +64,8 @@ static void assign_outer_value(kernel *k) {
     add_name(&k->scope.values, name);
 }
 
-/* A private variable with a default, changed under a condition or along a chain. */
+/* Appends a variable of the iteration that is set to a subscript and then changed to another one,
+ * in some forms only under a condition. */
 static void changed_subscript(kernel *k) {
     const char *name = new_name(k, "k");
     const char *e = subscript(k);

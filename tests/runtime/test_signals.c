@@ -35,7 +35,8 @@ static void *take_over(void *before) {
     return waits(SIGTERM) && waits(SIGINT) && waits(SIGALRM) && waits(SIGUSR1) ? before : NULL;
 }
 
-/* While threads are created, signals that end the process still do so, but handled signals wait. */
+/* While threads are created, handled signals are blocked, but not SIGTERM, SIGINT, SIGALRM and
+ * SIGSEGV without handlers. */
 static void while_threads_are_made(void **unused) {
     (void)unused;
     struct within within;
@@ -50,7 +51,7 @@ static void while_threads_are_made(void **unused) {
     assert_true(waits(SIGUSR1) && waits(SIGRTMIN));
     assert_int_equal(pthread_create(&thread, NULL, take_over, &waited), 0);
     assert_int_equal(pthread_join(thread, &result), 0);
-    /* In this thread all signals wait while it executes its part of the region. */
+    /* In this thread all signals are blocked while it executes its part of the region. */
     assert_ptr_equal(result, &waited);
     assert_false(waited);
     redcc_within_end(within);

@@ -25,8 +25,8 @@ static inline void redcc_wait_for(struct back_off *it, long now, long length) {
     it->until = now + length;
 }
 
-/** Begins the next wait at count `now`: twice as long as the last one, up to the limit. But it is
- * at most as long as `now`, because little is known of a loop with few calls. */
+/** Begins the next wait at count `now`: with twice the length of the last one, up to the limit. But
+ * it is never longer than `now`, because little is known of a loop with few calls. */
 static inline void redcc_back_off(struct back_off *it, long now) {
     const long length = redcc_longer(it->length);
     redcc_wait_for(it, now, length < now ? length : now);

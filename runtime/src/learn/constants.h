@@ -19,7 +19,7 @@
  * which consecutive iterations have different owners, but the estimates predict that. */
 #define LEARN_RISK 0.25
 /** A strategy is clearly faster if an execution takes less than this fraction of the sequential
- * time. The difference is twice the noise of a busy machine, where medians differ by 10 %. */
+ * time. The difference is twice the noise of a busy machine, on which medians differ by 10 %. */
 #define LEARN_CLEAR 0.8
 /** A strategy is worth a trial if it is expected to take less than this fraction of the present
  * time. Estimates were off by 10 % at best, and medians of one loop differ by 3 to 5 %. */
@@ -36,14 +36,14 @@
  * about an overdraft, plans are compared over this many executions. */
 #define LEARN_FACTOR 10
 /** Maximum overdraft, in units of a sequential execution's time. Partitioning the access graph of a
- * loop with long iterations costs 0.6; this is twice as much. */
+ * loop with long iterations costs 0.6; the limit is twice that. */
 #define LEARN_OVERDRAFT 1.25
 /** An execution is worth parallelising if it takes at least this multiple of the time to wake
  * threads. With two threads, waking them then takes an eighth of the time that each thread
  * executes. With 50 instead, loops of 0.3 ms with speed-ups of 1.5 to 1.9 were left sequential. */
 #define LEARN_WAKES 16
 /** The number of calls of the first wait of an exponential back-off. The longest wait has 128 times
- * as many. A failed trial costs a fraction of an execution. With the longest wait, that is less
+ * this number. A failed trial costs a fraction of an execution. With the longest wait, that is less
  * than 0.1 % of the time. */
 #define LEARN_BACK_OFF 16
 /** After this many consecutive calls whose subscripts were those of earlier calls, the subscripts
@@ -55,16 +55,16 @@
 
 /* ---- the cost model: seconds of one thread ---- */
 
-/** Seconds of a sample of 256 iterations with some touches each. Starting threads takes as long on
- * an idle machine (0.1 to 0.4 ms), and ten times as long on a busy one (2 to 6 ms). */
+/** Seconds of a sample of 256 iterations with some touches each. Starting threads takes about this
+ * time on an idle machine (0.1 to 0.4 ms), and ten times this time on a busy one (2 to 6 ms). */
 #define LEARN_SAMPLE 0.4e-3
 /** The number of iterations of that sample. A loop that cannot be inspected is tried in bins in its
  * first execution, with a 16th of its iterations, if its trip count is at least the square of this
  * number. At 10 ns or more per iteration, an execution then takes 0.7 ms or more. */
 #define LEARN_SAMPLED 256
 /** Seconds to record a touch, if the iteration has the same owners as the iteration before.
- * Beginning a run of iterations takes three times as long; logging a touch takes seven times as
- * long. */
+ * Beginning a run of iterations takes three times this time, and logging a touch takes seven times
+ * this time. */
 #define LEARN_TOUCH 1e-9
 /** Seconds to assign a row to an owner by majority vote, or a touch to a level: measured 13 to 20
  * ns. Recording an iteration that has other owners than the iteration before takes twice as long:

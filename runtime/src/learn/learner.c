@@ -7,8 +7,8 @@
 
 /* ---- affordable actions ---------------------------------------------------------------------- */
 
-/* What a decision depends on: the loop's ledger, its state at trip counts of this size, and the
- * call. */
+/* The data on which a decision depends: the loop's ledger, its state at trip counts of this size,
+ * and the call. */
 struct choice {
     struct ledger *ledger;
     struct size_state *size;
@@ -376,8 +376,8 @@ static struct decision decide_comparing(const struct choice *c) {
     return may_execute(c, next) ? reuse(c, next, RULE_COMPARING) : sequentially(c, RULE_SAVING);
 }
 
-/* Must the sequential loop be timed again? It must once so much time has passed that timing it
- * costs at most half of LEARN_SHARE of that time. Each of the first three checks that find the plan
+/* Must the sequential loop be timed again? It must as soon as timing it costs at most half of
+ * LEARN_SHARE of the time since the last check. Each of the first three checks that find the plan
  * faster halves this fraction. If only the first execution was timed, a check is due four times as
  * early, because page faults make first executions slow. */
 static bool is_check_due(const struct choice *c) {

@@ -29,7 +29,7 @@ struct timings {
     long count;
 };
 
-/** What is estimated and measured of a strategy. */
+/** Estimates and measurements of a strategy. */
 struct arm {
     bool possible;
     bool ruled_out; /**< a trial failed; the strategy is unavailable until the loop's back-off ends
@@ -51,7 +51,7 @@ enum kept_match {
                */
 };
 
-/** What is known about a call when a decision is made. */
+/** The properties of a call that are known when a decision is made. */
 struct situation {
     long long trip; /**< number of iterations */
     int threads;    /**< number of threads that would execute them */

@@ -2,7 +2,7 @@
 /**
  * A 128-bit hash of a range of memory, computed as fast as memory is read. A plan is reused if the
  * fingerprints of its subscripts are unchanged. The hash is keyed with a secret of the process, so
- * that nobody can prepare colliding contents in advance.
+ * that colliding contents cannot be prepared in advance.
  */
 #ifndef REDCC_FINGERPRINT_H
 #define REDCC_FINGERPRINT_H

@@ -2,8 +2,8 @@
 /**
  * Computes fingerprints of the subscripts; each thread hashes a share of each subscript array.
  * During the inspection a thread hashes piece by piece, after recording some of its iterations.
- * Most loops read their subscripts in the order of the iterations. So what the thread hashes is
- * often still in the caches.
+ * Most loops read their subscripts in the order of the iterations. So the subscripts that the
+ * thread hashes are often still in the caches.
  */
 #ifndef REDCC_HASHING_H
 #define REDCC_HASHING_H

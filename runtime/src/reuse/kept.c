@@ -103,7 +103,7 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
 /* A hash of a few words of a subscript array. 0 if the source is no subscript array, or if the call
  * does not give its range or the range is shorter than a word. */
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
-    enum { WORDS = 32 }; /* reading so many takes some 3 microseconds if none is in the caches */
+    enum { WORDS = 32 }; /* reading 32 words takes some 3 microseconds if none is in the caches */
     uint64_t hash = 0;
     if (!(source.flags & REDCC_IS_SUBSCRIPT) || !known.end ||
         known.end - known.first < (ptrdiff_t)sizeof(uint64_t))

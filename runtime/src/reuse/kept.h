@@ -17,7 +17,7 @@
 
 enum { REDCC_PLANS = 4 };
 
-/** What is recorded of a source when a plan is built. */
+/** The data recorded of a source when a plan is built. */
 struct source_record {
     bool known;            /* each call gives the source's range */
     bool anchored;         /* request.known[].first is an address to which `extent` is relative */
@@ -73,10 +73,10 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
                              struct fingerprint *all);
 
 /** Searches for a plan of strategy `way` (WAY_SEQUENTIAL: of any strategy) for the call and for
- * `threads` threads. It compares everything except the full contents of subscripts, of which it
- * compares only a sample, and checks the overlap guard. Drops a plan that it finds if memory may
- * have several addresses; otherwise counts a new round of the plan, and queries or begins write
- * tracking. Sets reuse->found, reuse->sources and reuse->written. */
+ * `threads` threads. It checks the overlap guard and compares everything except subscripts, for
+ * which it compares only a sample. Drops a plan that it finds if memory may have several addresses;
+ * otherwise counts a new round of the plan, and queries or begins write tracking. Sets
+ * reuse->found, reuse->sources and reuse->written. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
 /** Sets the bit of a strategy in *fits if redcc_reuse_find would find a plan of this strategy. Sets
