@@ -26,8 +26,8 @@ static const loop_span *span_at(const span_list *spans, const ir_node *loop) {
 
 /* ---- affine functions of the outer loop's counter -------------------------------------------- */
 
-/* The value that each iteration of the outer loop's body gives a variable once. NULL if the
- * variable is declared elsewhere, or has no such single value. */
+/* The value of a variable that the outer loop's body declares and that is assigned once. NULL if
+ * the variable is declared elsewhere, or assigned several times. */
 static const ir_node *value_inside(const outer_loop *t, const ir_variable *variable) {
     return ir_declarator_in(t->span.counted.body, variable)
                ? variable_single_definition(t->j->an->facts, variable)
@@ -49,7 +49,7 @@ static bool depends(const outer_loop *t, const ir_node *node) {
 static bool is_row_affine(const outer_loop *t, const ir_node *row);
 
 /* Is the integer or pointer an affine function of the outer loop's counter? Its arithmetic must not
- * wrap around, except as addresses do. */
+ * wrap around, except modulo 2^64 as addresses do. */
 static bool is_affine(const outer_loop *t, const ir_node *node) {
     if (!depends(t, node))
         return true;

@@ -38,8 +38,8 @@ static bool has_independent_header(const loop_span *outer, const loop_span *inne
     return true;
 }
 
-/* Is it a loop over a constant range of c that accesses `x[3 * j + c]`? Its first and last rows are
- * then known. */
+/* Does the loop step only a counter c over a constant range, and does the row advance with c, as in
+ * `x[3 * j + c]`? Its first and last rows are then known. */
 static bool is_vector_loop(const ir_node *loop, const loop_span *inner, const ir_node *row) {
     const ir_variable *counter;
     int64_t first, last;

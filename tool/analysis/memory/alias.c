@@ -108,9 +108,9 @@ static bool is_reachable(const alias_rules *rules, const ir_variable *object,
     return variable_escapes(rules->facts, object);
 }
 
-/* Does the pointer's restrict qualifier hold only within one iteration? It holds during an
- * execution of the block that declares the pointer (C17 6.7.3.1p2), and this block is in the loop's
- * body. */
+/* Does the pointer's restrict qualifier hold only within one iteration? True if the loop's body
+ * declares the pointer, because the qualifier holds during one execution of the declaring block
+ * (C17 6.7.3.1p2). */
 static bool promises_for_one_iteration(const alias_rules *rules, const ir_variable *pointer) {
     const ir_node *declarator = variable_fact_of(rules->facts, pointer)->declarator;
     return rules->loop && declarator && ir_contains(rules->loop, declarator);

@@ -63,8 +63,8 @@ static const char *find_unfit(const ir_variable *variable) {
 typedef struct search {
     must_write *prover;
     const ir_node *body;
-    const ir_node *loop; /* the loop whose body is searched, if control never returns to the loop
-                          * after it has ended; otherwise NULL */
+    const ir_node *loop; /* the loop of `body`, if control never returns to it after it has ended,
+                          * so that the code after it is not searched; otherwise NULL */
     const ir_variable *variable;
     const ir_node *found;
 } search;
@@ -185,7 +185,7 @@ static mention find_mentions(const ir_node *body, const ir_variable *variable) {
 }
 
 /* Checks that no pointer into the private copy is used after the iteration. A pointer may remain in
- * a variable only if the variable is not used outside of the body. */
+ * a variable only if the body declares the variable, or no code outside of the body uses it. */
 static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     for (unsigned i = 0; i < s->bindings.count; i++)
         if (s->bindings.items[i].value.kind == VALUE_POINTER) {

@@ -155,7 +155,8 @@ static bool header_sets(const ir_node *loop, const ir_variable *variable) {
 }
 
 /* Adds pointers that are set by statements before the loops: p = w; for (...) *p++ = ...; The
- * values must not mention counters, which the headers have not set at that time. */
+ * values must not mention counters, which the headers have not set at that time. Returns false if
+ * such a pointer has no equal start in both loops. */
 static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     unsigned number;
     if (!a || !b || header_sets(twins->writer, a) || header_sets(twins->reader, b) ||
