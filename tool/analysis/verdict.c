@@ -357,8 +357,9 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* Analyses a loop whose end only its data tell. Iterations must be long, because one thread first
- * evaluates the conditions of all of them. */
+/* Analyses a loop without a bound (open_loop_find), whose end only its data decide. Iterations must
+ * be long, because one thread first evaluates the conditions of all of them. The result is
+ * VERDICT_TRANSFORM or VERDICT_NOT_A_REDUCTION. */
 static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
     const loop_exits *exits = open_loop_find(an->memory, function, loop);

@@ -21,8 +21,8 @@ bool step_is_in_each(const loop_analysis *j, const ir_node *write) {
     return is_in_header(j, write) && executed_certainly_in(j->loop->children[2], write);
 }
 
-/* Does nothing in the loop write the variable through a pointer? This is proved, without a guard at
- * run time. Distributed stores are not among the loop's accesses. */
+/* Is it proved, without a guard at run time, that nothing in the loop writes the variable? False if
+ * the loop has distributed stores, because they are not among its accesses. */
 static bool stays(const loop_analysis *j, const ir_node *variable) {
     const location from = location_of(j->an->facts, variable, j->loop);
     access_list list = {0};
@@ -49,7 +49,7 @@ static bool all_stay(const loop_analysis *j, const ir_node *node) {
     return true;
 }
 
-/* Has the expression the same value in all iterations? */
+/* Does the expression have the same value in all iterations? */
 static bool is_steady(const loop_analysis *j, const ir_node *node) {
     return stride_is_unwritten(j->loop, node) && all_stay(j, node);
 }
@@ -68,7 +68,8 @@ static bool add_stride(private_variable *item, const ir_node *value, int64_t tim
     return true;
 }
 
-/* Adds the step if the write is one of the variable: v++, v += c, v += e. */
+/* If the write steps the variable by v++, v += c or v += e, adds the amount to *item and returns
+ * true. */
 static bool add_step(const loop_analysis *j, const ir_node *write, const ir_variable *variable,
                      private_variable *item) {
     ir_variable *stepped;
@@ -103,7 +104,8 @@ static bool is_of_iterations(const loop_analysis *j, const ir_variable *variable
     return ir_contains(j->loop, write) && !(start && write == start->node);
 }
 
-/* Adds all writes of the variable, if they are steps. */
+/* Adds the amounts of all writes of the variable in the loop. Returns false if a write is no
+ * step. */
 static bool add_own_steps(const loop_analysis *j, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, item->variable);
     bool is_first = true;

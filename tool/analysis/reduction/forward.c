@@ -72,8 +72,9 @@ static const ir_node *value_of(const loop_access *store) {
                : NULL;
 }
 
-/* The store's statement. NULL if a jump may enter it or a later statement of its block, or if one
- * of these statements, other than the loop's own increment, changes the element's address. */
+/* The store's statement. NULL if the store is no plain assignment to an element, or if a jump may
+ * enter this or a later statement of its block. Also NULL if one of these statements, other than
+ * the loop's own increment, changes the element's address. */
 static const ir_node *statement_of(const loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = value_of(store) ? target->parent->parent : NULL;

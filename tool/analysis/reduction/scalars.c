@@ -248,9 +248,9 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* Checks that the variable is accessed only by updates of its scalar. If it is the `place` of an
- * extremum, only this update may access it. If the scalar is guarded, possible aliases are compared
- * at run time (sources.c). */
+/* Checks that the variable is accessed only by updates of its scalar. If `variable` is the `place`
+ * of an extremum, only the update `update` may access it. If the scalar is guarded, possible
+ * aliases are compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

@@ -149,7 +149,7 @@ static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter
 }
 
 /* The one element that each call writes, as in add_at(h, k, v), expressed by the function's
- * parameters. NULL if a call may write none, several or other memory. */
+ * parameters. NULL if a call may write no element, several elements or other memory. */
 static const ir_node *written_element(const access_list *known, const ir_variable *parameter) {
     const ir_node *element = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
