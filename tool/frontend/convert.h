@@ -183,8 +183,8 @@ void find_compiler_words(converter *c);
 /** Sets the unit's runtime_names. */
 void find_runtime_names(converter *c);
 
-/** Is the function's body in one of the program's own headers and used, and may it contain a
- *  loop? */
+/** Is the function's body in one of the program's own headers, may the function be called, and may
+ *  it contain a loop? */
 bool is_wanted_of_header(converter *c, CXCursor definition);
 /** Adds a loop in one of the program's own headers to the unit's header_loops. */
 void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor);

@@ -395,8 +395,8 @@ typedef struct ir_text {
     bool names_target;         /* the same for the attributes target and target_clones */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
-    unsigned runtime_name_count; /* number of names in texts and options that begin like the
-                                  * runtime's names */
+    unsigned runtime_name_count; /* number of `runtime_names`: names in the program's texts or
+                                  * options with a prefix that the runtime reserves */
     const char **runtime_names;
     unsigned header_pragma_count; /* number of pragmas in the program's own headers;
                                    * header_pragmas has their texts */
@@ -417,16 +417,16 @@ typedef struct ir_text {
                         * tags. NULL if there are none */
     map *header_loops; /* each loop whose text is in one of the program's own headers (key: the
                         * pointer to its node) -> its ir_position. NULL if there are none */
-    unsigned inclusion_count; /* number of inclusions, in source order; a header that is included
-                               * twice occurs twice */
+    unsigned inclusion_count; /* number of `inclusions`, which are in source order; a header that is
+                               * included twice occurs twice */
     const ir_inclusion *inclusions;
 } ir_text;
 
 typedef struct ir_unit {
     arena *arena;
     const source *source;
-    unsigned function_count; /* the functions with a body in the main file come first, in source
-                              * order */
+    unsigned function_count; /* number of `functions`; those with a body in the main file come
+                              * first, in source order */
     ir_function **functions;
     unsigned variable_count; /* number of all variables; the id is the index */
     ir_variable **variables;
@@ -474,7 +474,8 @@ bool ir_is_loop(const ir_node *node);
 bool ir_is_jump(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
-/** A predicate of one node. ir_any: does it hold for `node` or for any node below it? */
+/** A predicate of one node. ir_any tells whether `question` holds for `node` or for any node below
+ *  it. */
 typedef bool (*ir_question)(const ir_node *node);
 bool ir_any(const ir_node *node, ir_question question);
 /** Is `node`, or a node below it, of that kind? */
@@ -501,9 +502,10 @@ bool ir_is_lengths(const ir_node *node);
 /** May evaluating the expression have a side effect? True if it contains an assignment, an
  *  increment, a call or an opaque part. */
 bool ir_has_effect(const ir_node *node);
-/** Does the parent use the value of this expression? Not used are an expression statement, the left
+/** Does the parent use the value of this expression? False for an expression statement, the left
  *  side of a comma, the initialisation and increment of a for loop, and the operand of a cast to
- *  void. */
+ *  void. Also false for the right side of a comma, && or ||, and for a branch of ?:, if the value
+ *  of that whole expression is not used. */
 bool ir_value_is_used(const ir_node *node);
 /** The variable's declarator in the tree; NULL if the tree has none. Ranges cannot decide this,
  *  because everything that a macro expands to has the same range. */

@@ -6,7 +6,8 @@
 
 #include "ir/ir_words.h"
 
-/* nodes of one address. Nested accessor calls in arguments can multiply them */
+/* greatest number of nodes in one address; nested accessor calls in arguments can multiply the
+ * nodes */
 enum { MOST_NODES = 200 };
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
@@ -139,7 +140,8 @@ static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir
     return false;
 }
 
-/* Is the accessor defined before the caller? Then all names in its address are declared there. */
+/* Is the accessor defined before the caller? Then all names in its address are declared before the
+ * call. */
 static bool is_defined_before(const ir_function *function, const ir_function *caller) {
     return !function->is_in_main_file || !caller->is_in_main_file ||
            function->range.begin < caller->range.begin;
