@@ -161,7 +161,7 @@ static bool call_depends(const dependence *d, const ir_node *call) {
     return is_elsewhere || (has_address && is_of_array && has_subscript);
 }
 
-/* Does the function update memory other than the caller's automatic variables? */
+/* Does the called function update memory other than the caller's automatic variables? */
 static bool call_updates(const dependence *d, const ir_node *call) {
     access_list list = {0};
     access_collect(d->effects, call, &list);

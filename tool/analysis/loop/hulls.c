@@ -97,8 +97,8 @@ static bool has_independent_header(const outer_loop *t, const ir_node *inner) {
     return true;
 }
 
-/* Does the slice contain nothing below the node but declarations, spans, and loops with hulls whose
- * ranges are the same in each iteration? */
+/* Does the slice contain nothing below the node but blocks, declarations, spans, and loops with
+ * hulls? The ranges of these loops must be the same in each iteration. False if there is a jump. */
 static bool has_only_spans(const outer_loop *t, const ir_node *node) {
     assert(node->id < t->j->function->node_count);
     const bool holds = t->j->slice.holds[node->id];

@@ -70,7 +70,7 @@ typedef VECTOR(ir_variable *) variable_list;
 typedef VECTOR(loop_source) source_list;
 typedef VECTOR(const ir_node *) key_list;
 
-/** Statements of the loop that are replaced by others while it is analysed. */
+/** Statements of the loop that are removed or replaced while the loop is analysed. */
 typedef struct left_out {
     const distribution *distribution; /* NULL if there is none */
     const loop_exits *exits;          /* as in loop_slice */

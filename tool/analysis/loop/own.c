@@ -140,8 +140,8 @@ static location location_of_element(const loop_analysis *j, const ir_node *eleme
     return where;
 }
 
-/* Is the other access to another scalar of the same row, such as x[t][0] and x[t][2]? The two are
- * then disjoint for any t. */
+/* Does `other` access another scalar of the element's row, as x[t][0] and x[t][2] are of one row?
+ * These are disjoint for any t. */
 static bool is_other_part(const loop_analysis *j, const loop_access *other,
                           const ir_node *element) {
     const ir_node *lvalue = other->access.lvalue;

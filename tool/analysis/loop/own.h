@@ -4,9 +4,9 @@
  *      if (member[t] != c) changes++;
  *      member[t] = c;
  *
- *  While the loop runs, a variable replaces the element, and memory is unchanged. Even if an
- *  iteration is executed several times, it therefore begins with the same value. The variable's
- *  last value is kept, like the operands of scalars, and stored after all iterations. */
+ *  While the loop runs, a variable replaces the element, and the element itself is not written.
+ *  Even if an iteration is executed several times, it therefore begins with the same value. The
+ *  variable's last value is kept, like the operands of scalars, and stored after all iterations. */
 #ifndef ANALYSIS_OWN_H
 #define ANALYSIS_OWN_H
 

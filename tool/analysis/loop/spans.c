@@ -74,7 +74,8 @@ static bool is_idle(const loop_analysis *j, const ir_node *loop) {
            counted_constant_sets(j->counted.body, counter);
 }
 
-/* Does the slice contain nothing below the node but spans, and no jumps? */
+/* Does the slice contain nothing below the node but blocks, idle loops (is_idle), and spans with
+ * headers independent of `span`? False if there is a `break`. */
 static bool has_only_spans(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];

@@ -83,8 +83,8 @@ static bool fields_are_disjoint(const location *a, const location *b) {
     return false;
 }
 
-/* Are these p->x and q->y with p and q pointing to the same record type? Then they are disjoint,
- * whatever p and q point to. */
+/* Are the locations different fields p->x and q->y of pointers to the same record type? Then they
+ * are disjoint, whatever p and q point to. */
 static bool pointed_fields_are_disjoint(const location *a, const location *b) {
     if (a->is_punned || b->is_punned || !a->pointer || !b->pointer)
         return false;

@@ -12,8 +12,9 @@ typedef struct variable_fact {
     /* IR_VARIABLE nodes that name it, in the order of the text */
     VECTOR(const ir_node *) occurrences;
     VECTOR(const ir_node *)
-    writes;               /* nodes that assign it, take its address, or pass it or an array in it
-                           * to a function; in the order of the text */
+    writes;               /* nodes that initialise the variable, assign it or a part of it, take its
+                           * address, or pass an array in it to a function; in the order of the
+                           * text */
     unsigned write_count; /* number of assignments and increments of the whole variable, and of
                            * initialisers; taking its address does not count */
     unsigned step_count;  /* how many of these are steps (p++, p += e and the like) */

@@ -3,7 +3,7 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    MOST_STEPS = 2000000,   /* limit of the steps of one query. That many take some tens of
+    MOST_STEPS = 2000000,   /* greatest number of steps of one query, which take some tens of
                              * milliseconds */
     MOST_BYTES = 1 << 16,   /* size of an object that can be analysed */
     PARAMETER_WINDOW = 4096 /* bytes after the target of a pointer parameter that are analysed */

@@ -161,8 +161,8 @@ bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argume
  *  variable's address? */
 bool address_kept_outside(must_write *prover, const ir_node *body, const ir_variable *variable);
 
-/** The trip count of a `for` whose first value and bound are the same variable plus constants. -1
- *  if it is unknown. The loop may still end earlier by a jump. */
+/** The trip count of a `for` with step 1 whose first value and bound are the same variable plus
+ *  constants. -1 if it is unknown. The loop may still end earlier by a jump. */
 int64_t run_known_trip_count(run *r, const ir_node *loop);
 
 #endif

@@ -104,8 +104,8 @@ static state *bindings_copy(run *r, const state *s) {
     return scratch_copy(r, &bindings);
 }
 
-/* If the trip count is known although the condition is not, executes the iterations and returns
- * true. */
+/* If the trip count is known although the condition is not, and is at most MOST_ITERATIONS,
+ * executes the iterations and returns true. */
 static bool execute_known_iterations(run *r, state *s, const loop_parts *loop, state *breaks) {
     const int64_t iterations =
         loop->counted && run_step(r, loop->body, 64) ? run_known_trip_count(r, loop->counted) : -1;
