@@ -16,7 +16,7 @@
 #include "analysis/private/live.h"
 #include "analysis/private/step_sum.h"
 
-/* Is it a type of pointers to objects of a known size greater than 0? */
+/* Is the type a pointer to objects of a known size greater than 0? */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
            type->target->kind != IR_VOID && type->target->size > 0;

@@ -7,7 +7,7 @@
 
 typedef struct private_check {
     reason why;
-    private_list privates;  /* includes how each gets its last value */
+    private_list privates;  /* each with the way in which it gets its last value */
     variable_list captured; /* scalars and structs that are declared outside the loop, that the loop
                              * only reads, and that threads may copy; in order of first use */
     bool counter_is_live_after;

@@ -15,9 +15,9 @@ static bool may_skip_iterations(const ir_node *body) {
            ir_has_kind(body, IR_CASE) || ir_has_kind(body, IR_DEFAULT);
 }
 
-/* Is the node `i` or `i + c`, where i is the counter `row`? Stores c, or 0, in *offset. An unsigned
- * sum is permitted only with `c = 1`, which does not wrap around, because the counter itself
- * reaches `i + 1`. */
+/* Is the node `i` or `i + c` with a constant `c >= 0`, where i is the counter `row`? Stores c, or
+ * 0, in *offset. In an unsigned sum c is at most 1, so that the sum does not wrap around: the
+ * counter itself reaches `i + 1`. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
     assert(row->type->kind == IR_INTEGER);
     *offset = 0;

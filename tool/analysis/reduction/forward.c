@@ -33,8 +33,9 @@ static bool is_simple_subscript(const ir_node *node) {
     return expression_is_plain(node);
 }
 
-/* Is it an element such as o[t], s->o[t].x or o[t][c], in which only subscripts can change? The
- * analysis of each array checks that pointers in its base are invariant. */
+/* Is the node a variable, or an element such as o[t], s->o[t].x or o[t][c], in which only
+ * subscripts can change? The analysis of each array checks that pointers in its base are
+ * invariant. */
 static bool is_simple_element(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:

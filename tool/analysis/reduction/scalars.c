@@ -72,7 +72,7 @@ static bool find_operand_type(scalar_update *found) {
     return true;
 }
 
-/* Is it do { ... } while (0), as in macros? */
+/* Is the loop do { ... } while (0), as in macros? */
 static bool is_executed_once(const ir_node *loop) {
     int64_t again;
     return loop->kind == IR_DO && expression_constant(loop->children[1], &again) && !again;
