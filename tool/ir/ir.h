@@ -123,10 +123,11 @@ bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
 /** Real or complex; false for NULL. */
 bool ir_type_is_floating(const ir_type *type);
-/** Is it an integer type whose overflow is undefined behaviour (signed, at least as wide as int, no
- *  -fwrapv)? False for NULL. */
+/** Is the type an integer type whose overflow is undefined behaviour (signed, at least as wide as
+ *  int, no -fwrapv)? False for NULL. */
 bool ir_type_never_wraps(const ir_type *type);
-/** Is it an integer type of at most 64 bits that is neither volatile nor atomic? False for NULL. */
+/** Is the type an integer type of at most 64 bits that is neither volatile nor atomic? False for
+ *  NULL. */
 bool ir_type_is_plain_integer(const ir_type *type);
 /** Is the type, or a type that it points to, an array of variable or unknown length? */
 bool ir_type_is_variably_modified(const ir_type *type);
@@ -392,7 +393,7 @@ typedef struct ir_text {
     bool names_optimize;       /* the attribute optimize may occur in the program's own text or in
                                 * a macro of the options, although no declaration in the tree
                                 * shows it */
-    bool names_target;         /* the same for the attributes target and target_clones */
+    bool names_target;         /* likewise, the attribute target or target_clones may occur */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
     unsigned runtime_name_count; /* number of `runtime_names`: names in the program's texts or
@@ -404,8 +405,8 @@ typedef struct ir_text {
     map *macros;        /* name of each macro defined anywhere -> IR_MACRO_AS_OBJECT, or
                          * IR_MACRO_AS_FUNCTION if every definition has parameters. Macros known to
                          * expand to their own name are left out. NULL if there are none */
-    map *macros_before; /* the same for macros that are defined before the main file begins (by
-                         * the command line, or by a file that it includes), without the
+    map *macros_before; /* like `macros`, but only those that are defined before the main file
+                         * begins (by the command line, or by a file that it includes), without the
                          * compiler's predefined ones */
     map *pragma_macros; /* the set of the program's macros that may expand to a pragma, by name.
                          * NULL if there are none */
@@ -456,21 +457,21 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
     return index < node->child_count ? node->children[index] : NULL;
 }
 bool ir_is_expression(const ir_node *node);
-/** Is it an element, a member or a pointer's target: a[i], s.m, p->m, *p? */
+/** Is the node an element, a member or a pointer's target: a[i], s.m, p->m, *p? */
 bool ir_is_access(const ir_node *node);
-/** Is it an access (ir_is_access) whose value is loaded? False for an access of array type, which
- *  only computes an address. */
+/** Is the node an access (ir_is_access) whose value is loaded? False for an access of array type,
+ *  which only computes an address. */
 bool ir_reads_memory(const ir_node *node);
-/** Is it of the form &operand? */
+/** Is the node of the form &operand? */
 bool ir_is_address_of(const ir_node *node);
 /** The function that the call names; NULL if it calls through a pointer. */
 ir_function *ir_called_function(const ir_node *call);
 /** Does the expression have array type (ir_is_array) or pointer type (ir_is_pointer)? */
 bool ir_is_array(const ir_node *node);
 bool ir_is_pointer(const ir_node *node);
-/** Is it an IR_FOR, IR_WHILE or IR_DO? */
+/** Is the node an IR_FOR, IR_WHILE or IR_DO? */
 bool ir_is_loop(const ir_node *node);
-/** Is it a break, continue, goto or return? */
+/** Is the node a break, continue, goto or return? */
 bool ir_is_jump(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
@@ -485,15 +486,15 @@ bool ir_has_kind(const ir_node *node, ir_kind kind);
 bool ir_may_be_entered(const ir_node *node);
 /** Does the tree contain a `case` or `default` of a switch that encloses the tree? */
 bool ir_holds_case(const ir_node *node);
-/** Is it ++ or --, before or after its operand? */
+/** Is the node ++ or --, before or after its operand? */
 bool ir_is_increment(const ir_node *node);
-/** Does it select the real or the imaginary part of its operand? */
+/** Does the node select the real or the imaginary part of its operand? */
 bool ir_is_complex_part(const ir_node *node);
 /** For a loop's body: does it contain a `continue` of that loop? */
 bool ir_continues(const ir_node *node);
 /** For a loop's body: does it contain a return, a goto, or a break of that loop? */
 bool ir_leaves_loop(const ir_node *body);
-/** Is it ({ ... })? The node is opaque, but the block below it is complete. */
+/** Is the node ({ ... })? The node is opaque, but the block below it is complete. */
 bool ir_is_statement_expression(const ir_node *node);
 
 /** Does the node hold the lengths of a variable-length array at its declaration? Its children are

@@ -33,8 +33,8 @@ static bool can_be_named(const ir_variable *variable, const ir_function *functio
             !ir_type_is_variably_modified(variable->type));
 }
 
-/* Is it an operator or operand that may occur in an address? Other operators compute more than an
- * address. */
+/* Is the node an operator or operand that may occur in an address? Other operators compute more
+ * than an address. */
 static bool is_operator(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
     case IR_VARIABLE:
