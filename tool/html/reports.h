@@ -15,7 +15,7 @@ typedef struct loop_time {
     const json_t *last; /**< the loop's object in the last of them */
     double seconds;     /**< seconds of inspections, executions, and the original loop if it was
                          * timed */
-    double process;     /** < total seconds of the processes of these runs */
+    double process;     /**< total seconds of the processes of these runs */
     double lost;        /**< seconds beyond the sequential loop's time divided by the threads */
     json_int_t built, reused, plans_lost, calls;
 } loop_time;

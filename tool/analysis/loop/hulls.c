@@ -27,7 +27,7 @@ static const loop_span *span_at(const span_list *spans, const ir_node *loop) {
 /* ---- affine functions of the outer loop's counter -------------------------------------------- */
 
 /* The value of a variable that the outer loop's body declares and that is assigned once. NULL if
- * the variable is declared elsewhere, or assigned several times. */
+ * the variable is declared elsewhere, or has no single definition (variable_facts.h). */
 static const ir_node *value_inside(const outer_loop *t, const ir_variable *variable) {
     return ir_declarator_in(t->span.counted.body, variable)
                ? variable_single_definition(t->j->an->facts, variable)

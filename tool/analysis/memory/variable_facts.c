@@ -22,7 +22,8 @@ static ir_variable *changed_variable(const ir_node *node) {
     return lvalue ? expression_object(lvalue) : NULL;
 }
 
-/* Is the node an array, or a part of one, that is passed to a function, which may write to it? */
+/* Is an array passed to a function, which may write to it? The array is the node itself, or the
+ * part of it that the expression around the node denotes. */
 static bool is_handed_over(const ir_node *node) {
     const ir_node *parent = node->parent;
     while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node) ||

@@ -50,7 +50,9 @@ static bool is_narrow_floating(const ir_type *type) {
 }
 
 /* Sets `operand`, the type of the operation, to which the value is converted. Returns false if no
- * operand_type represents that type. For integers, only the value modulo 2^64 matters. */
+ * operand_type represents that type, if the target is volatile or atomic, or if a floating-point
+ * target is updated by an operator other than +, -, * and the extrema. For integers, only the value
+ * modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
