@@ -307,8 +307,8 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     return result;
 }
 
-/* May the function store the address? The object's size, and where in the object the address
- * points, do not matter. */
+/* May the function store the address, return it, or pass it to unknown code? The object's size, and
+ * where in the object the address points, do not matter. */
 static bool keeps_address(must_write *prover, const ir_function *function, unsigned index) {
     value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count);
     arguments[index] = (value){VALUE_POINTER, false, 0};
