@@ -53,8 +53,8 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
     return all;
 }
 
-/* Is it an unused static function that #line places in another file? The compiler generates no code
- * for it. */
+/* Is the function an unused static one that #line places in another file? The compiler generates no
+ * code for it. */
 static bool is_unused_of_header(const ir_unit *unit, const ir_function *function) {
     const source *s = unit->source;
     const ir_range range = function->range;
@@ -65,7 +65,8 @@ static bool is_unused_of_header(const ir_unit *unit, const ir_function *function
            !source_has_name(s->text + range.end, s->length - range.end, function->name);
 }
 
-/* Is the body in the main file, or in one of the program's own headers? */
+/* Is the function's body in the main file, or in one of the program's own headers? False if another
+ * file defines it, or is_unused_of_header holds. */
 static bool is_of_program(const ir_unit *unit, const ir_function *function) {
     if (!function->body)
         return false;

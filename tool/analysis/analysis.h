@@ -26,8 +26,8 @@ typedef struct analysis_result {
  *  are allocated in the arena. */
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options);
 
-/** Like analyse. If `calls` is not NULL, also appends to it the calls that update shared elements
- * in loops that stay sequential. */
+/** Like analyse. If `calls` is not NULL, also appends to *calls the calls that updating_calls.h
+ *  describes, in loops that stay sequential. */
 analysis_result analyse_listing(arena *a, const ir_unit *unit, const analysis_options *options,
                                 updating_calls *calls);
 

@@ -9,7 +9,8 @@
  *  NDEBUG is defined. */
 void analysis_assert_verdict(const ir_unit *unit, const loop_verdict *verdict);
 
-/** Asserts the same for all verdicts, and that they are in order. */
+/** Asserts these properties of all verdicts, and that the verdicts on each function are in source
+ *  order. */
 void analysis_assert_result(const ir_unit *unit, const analysis_result *result);
 
 #endif

@@ -9,7 +9,8 @@ typedef struct loop_search {
     const analyser *an;
     ir_function *function; /* the function being searched */
     VECTOR(loop_verdict) verdicts;
-    updating_calls *calls; /* of loops that stay sequential; NULL: they are not wanted */
+    updating_calls *calls; /* calls in loops that stay sequential (updating_calls.h); NULL if they
+                            * need not be listed */
 } loop_search;
 
 /** Analyses all loops of the function and appends the verdicts, in source order, and the calls. */

@@ -23,7 +23,7 @@ static bool is_update(const listing *l, const access *a) {
     return !object || !variable_is_automatic(object);
 }
 
-/* Does an inner loop of the function update elements? */
+/* Does the called function update an element, perhaps in an inner loop? */
 static bool updates_in_loop(const access_list *list) {
     for (unsigned i = 0; i < list->items.count; i++)
         if (list->items.items[i].kind == ACCESS_UPDATE)
@@ -31,7 +31,7 @@ static bool updates_in_loop(const access_list *list) {
     return false;
 }
 
-/* Is a scalar of the caller written, which the call gets by address? */
+/* Does the call write a local scalar of the caller, as through a pointer that the caller passes? */
 static bool writes_local(const access_list *list) {
     for (unsigned i = 0; i < list->items.count; i++) {
         const access *a = &list->items.items[i];
@@ -66,8 +66,8 @@ static bool is_refused_for(const listing *l, reason_id why) {
     return false;
 }
 
-/* May a check in a called function be why the loop is refused? A loop without a verdict, around a
- * loop that is refused, may be refused for it, too. */
+/* May a check in a called function be the reason why the loop is refused? True also for a loop
+ * without a verdict that contains a refused loop. */
 static bool is_refused_for_check(const listing *l) {
     const loop_search *s = l->search;
     bool is_around = false;

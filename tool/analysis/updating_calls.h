@@ -5,10 +5,10 @@
 
 #include "analysis/nest.h"
 
-/** Appends the updating calls of s->function to s->calls. The verdicts of its loops are those from
- *  number `from` on. If a call in a loop updates an element that several iterations may update, or
- *  a call with a check is the reason why the loop is refused, all calls in this loop that update
- *  single elements or have a check (loop_exits.h) are listed. */
+/** Appends the updating calls of s->function to s->calls. The verdicts on its loops are s->verdicts
+ *  from index `from` on. A loop's calls are listed if one of them updates an element that several
+ *  iterations may update, or may be why the loop is refused: it contains a check (loop_exits.h),
+ *  updates elements, or writes a local scalar. */
 void list_updating_calls(loop_search *s, unsigned from);
 
 #endif

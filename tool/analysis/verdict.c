@@ -321,9 +321,9 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
 }
 
 /* If `found` is a refusal that may be due to a pointer that the loop loads, analyses the loop again
- * with a variable in place of each such pointer. Such refusals are: a pointer is read only under
- * conditions, its target must be known when the loop begins, or the elements behind it may be own
- * elements. Returns `found` if none of these applies, or if the new analysis does not help. */
+ * with a variable in place of each such pointer. This may be so if a pointer is read only under
+ * conditions, if its target must be known when the loop begins, or if the elements behind it may be
+ * own elements. Returns `found` if none of these applies, or if the new analysis does not help. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     const reason_id why = found.why.id;
@@ -357,8 +357,9 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* Analyses a loop whose end only its data tell. Iterations must be long, because one thread first
- * evaluates the conditions of all of them. */
+/* Analyses a loop without a bound (open_loop_find), whose end only its data decide. Iterations must
+ * be long, because one thread first evaluates the conditions of all of them. The result is
+ * VERDICT_TRANSFORM or VERDICT_NOT_A_REDUCTION. */
 static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
     const loop_exits *exits = open_loop_find(an->memory, function, loop);
@@ -424,8 +425,8 @@ static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
                           .facts = finish_facts(j)};
 }
 
-/* Returns the name of the array to which `store` stores or refers. `store` is a store that is no
- * update, such as `h[i] = 0`. */
+/* Returns the name of the array that the node `store` writes or, if the node is no assignment, its
+ * text. */
 static const char *name_written(const loop_analysis *j, const ir_node *store) {
     const ir_node *lvalue = expression_written(store);
     if (!lvalue)

@@ -104,8 +104,9 @@ static bool names_target(file_text file) {
     return false;
 }
 
-/* Does a condition (#if) contain `true` or `false`? In C23 these words have values, but older
- * compilers treat them as undefined macros. Returns false for other standards than C23. */
+/* May a condition (#if) contain `true` or `false`, judging by the text of directives? In C23 these
+ * words have values, but older compilers treat them as undefined macros. Returns false for other
+ * standards than C23. */
 static bool tests_true_or_false(converter *c, CXFile file) {
     if (!c->compiler.flags->is_c23)
         return false;

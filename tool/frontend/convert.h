@@ -163,8 +163,8 @@ bool has_other_name(const converter *c, CXCursor declaration);
 void mark_names_in_pragmas(converter *c);
 /** Does the typedef or record have the attribute may_alias? */
 bool has_may_alias(CXCursor declaration);
-/** Does the diagnostic report a missing header? With KeepGoing clang reports it like any other
- *  error, so only its text identifies it. */
+/** Does the diagnostic report a missing header? clang reports a missing header like any other error
+ *  (CXTranslationUnit_KeepGoing), so only the text identifies it. */
 bool is_missing_header(CXDiagnostic diagnostic);
 /** Adds a macro to the unit's macros. */
 void note_macro(converter *c, CXCursor definition);
@@ -183,8 +183,8 @@ void find_compiler_words(converter *c);
 /** Sets the unit's runtime_names. */
 void find_runtime_names(converter *c);
 
-/** Is the function's body in one of the program's own headers and used, and may it contain a
- *  loop? */
+/** Is the function's body in one of the program's own headers, may the function be called, and may
+ *  it contain a loop? */
 bool is_wanted_of_header(converter *c, CXCursor definition);
 /** Adds a loop in one of the program's own headers to the unit's header_loops. */
 void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor);

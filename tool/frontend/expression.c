@@ -414,9 +414,9 @@ static bool has_same_extent(converter *c, CXCursor a, CXCursor b) {
     return clang_equalRanges(extent_of(c, a), extent_of(c, b)) != 0;
 }
 
-/* Converts an unexposed expression. An implicit conversion has one part, with the same extent, to
- * which it is converted. All other unexposed expressions become opaque: `a ?: b`, va_arg, offsetof,
- * atomic builtins and so on. */
+/* Converts an unexposed expression. If it has one part, with the same extent, it is an implicit
+ * conversion, and the part is converted instead. All other unexposed expressions become opaque: `a
+ * ?: b`, va_arg, offsetof, atomic builtins and so on. */
 static ir_node *convert_unexposed(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 1 && has_same_extent(c, cursor, parts.items[0]))

@@ -21,7 +21,7 @@ static ir_variable *object_of(const ir_node *node) {
 }
 
 /* Does this use of an array make its address a value? False if the array is subscripted,
- * dereferenced or passed to a function. */
+ * dereferenced or passed to a function, or is an operand of & (see note_addresses). */
 static bool lets_array_escape(const ir_node *array) {
     const ir_node *parent = array->parent;
     if (parent == NULL)

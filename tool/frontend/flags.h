@@ -11,7 +11,7 @@
 
 typedef struct parse_flags {
     VECTOR(const char *) items;
-    bool strict_aliasing; /* false if -fno-strict-aliasing is given */
+    bool strict_aliasing; /* false if -fno-strict-aliasing is the last such option */
     bool has_headers;     /* the standard headers can be found (no -nostdinc) */
     map *predefined;      /* the compiler's predefined macros, if they replace libclang's; otherwise
                            * NULL */

@@ -31,7 +31,7 @@ static bool any_diagnostic(CXTranslationUnit clang, diagnostic_test test) {
     return is_found;
 }
 
-/* Is it an error outside of all files? Then it concerns the flags. */
+/* Does the diagnostic report an error outside of all files? Then the error concerns the flags. */
 static bool is_about_flags(CXDiagnostic diagnostic) {
     CXFile file;
     clang_getExpansionLocation(clang_getDiagnosticLocation(diagnostic), &file, NULL, NULL, NULL);
@@ -101,7 +101,7 @@ static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXC
     return CXChildVisit_Continue;
 }
 
-/* Is it `asm("...");`? libclang shows it as a declaration of no specific kind. */
+/* May the cursor be `asm("...");`, which libclang shows as a declaration of no specific kind? */
 static bool is_assembler(CXCursor cursor) {
     if (clang_getCursorKind(cursor) != CXCursor_UnexposedDecl)
         return false;

@@ -22,8 +22,8 @@ typedef struct frontend_result {
 } frontend_result;
 
 /** The folder in which the parser searches for its own headers, and the folder of gcc's headers,
- *  which the parser searches if a header is in no other folder. The strings are in the arena; NULL
- *  if there is no such folder. */
+ *  which the parser searches if a header is in no other folder. The strings are static or in the
+ *  arena; NULL if there is no such folder. */
 typedef struct frontend_folders {
     const char *own;
     const char *of_gcc;

@@ -9,7 +9,7 @@ static bool has_members(enum CXCursorKind kind) {
     return kind == CXCursor_StructDecl || kind == CXCursor_UnionDecl || kind == CXCursor_EnumDecl;
 }
 
-/* Is it a non-static declaration of the form `int name(void)` or `int name()`? */
+/* Does the cursor declare a non-static function `int name(void)` or `int name()`? */
 static bool is_query(CXCursor declaration) {
     const CXType type = clang_getCursorType(declaration);
     const bool takes_nothing =

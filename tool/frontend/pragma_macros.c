@@ -34,7 +34,7 @@ static const char *universal_name_in(file_text file) {
     if (!text_has(file, marks[0]) && !text_has(file, marks[1]))
         return NULL;
     /* C89 has no // comments, so the bytes "slash, star, slash" may end a comment in C89, although
-     * a scanner of newer C takes them for its beginning */
+     * a scanner of newer C takes them for the beginning of a comment */
     const bool sees_comments =
         !lexing_has_digit_separator(file.text, file.length) && !text_has(file, "/*/");
     while (at < end) {

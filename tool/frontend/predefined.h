@@ -22,7 +22,7 @@
  *  flags->unseen. */
 void add_predefined(arena *a, parse_flags *flags, const char *path);
 
-/** Removes the macro that a user's flag redefines from flags->predefined. `definition`: the flag
+/** Removes from flags->predefined the macro that a user's flag redefines. `definition` is the flag,
  *  -DNAME=1 or -UNAME, with or without the -D or -U. */
 void forget_predefined(parse_flags *flags, const char *definition);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Searches the program, its headers and its options for names that begin with redcc_ or REDCC_,
- * like the runtime's. The output includes the runtime's header, whose macros could change what such
- * a name means, for example in an #if. Branches that are not compiled and the strings of _Pragma
- * are searched too. */
+/* Searches the program, its headers and its options for names that begin with redcc_ or REDCC_, the
+ * prefixes of the runtime's names. The output includes the runtime's header, whose macros could
+ * change what such a name means, for example in an #if. Branches that are not compiled and the
+ * strings of _Pragma are searched too. */
 #include <string.h>
 
 #include "frontend/convert.h"

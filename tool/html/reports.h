@@ -15,7 +15,7 @@ typedef struct loop_time {
     const json_t *last; /**< the loop's object in the last of them */
     double seconds;     /**< seconds of inspections, executions, and the original loop if it was
                          * timed */
-    double process;     /**< total seconds of the processes */
+    double process;     /**< total seconds of the processes of these runs */
     double lost;        /**< seconds beyond the sequential loop's time divided by the threads */
     json_int_t built, reused, plans_lost, calls;
 } loop_time;
@@ -51,8 +51,9 @@ typedef struct reports {
     VECTOR(json_t *) owned; /**< JSON objects to which the other members point */
 } reports;
 
-/** Reads the files. The first object in each shows whether it is a build's or a run's report.
- *  Returns NULL, or a message in the arena, with file and line. */
+/** Reads the files. Each JSON object in them that has the member "process" is the report of a run;
+ *  any other belongs to the report of a build. Returns NULL, or a message in the arena, with file
+ *  and line. */
 const char *reports_read(reports *r, unsigned count, char *const *paths);
 void reports_free(reports *r);
 

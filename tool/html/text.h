@@ -13,7 +13,8 @@
 void html_bytes(buffer *out, const char *bytes, size_t length);
 void html_text(buffer *out, const char *text);
 
-/** Appends a section of docs/reasons.md without its heading: paragraphs, `code`, and blocks. */
+/** Appends a section of docs/reasons.md without its heading: paragraphs, `code` in them, and blocks
+ *  of code. */
 void html_section(buffer *out, const char *section);
 
 /** Appends seconds in a unit of a fitting size: "1.25 s", "3.4 ms". */

@@ -123,10 +123,11 @@ bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
 /** Real or complex; false for NULL. */
 bool ir_type_is_floating(const ir_type *type);
-/** Is it an integer type whose overflow is undefined behaviour (signed, at least as wide as int, no
- *  -fwrapv)? False for NULL. */
+/** Is the type an integer type whose overflow is undefined behaviour (signed, at least as wide as
+ *  int, no -fwrapv)? False for NULL. */
 bool ir_type_never_wraps(const ir_type *type);
-/** Is it an integer type of at most 64 bits that is neither volatile nor atomic? False for NULL. */
+/** Is the type an integer type of at most 64 bits that is neither volatile nor atomic? False for
+ *  NULL. */
 bool ir_type_is_plain_integer(const ir_type *type);
 /** Is the type, or a type that it points to, an array of variable or unknown length? */
 bool ir_type_is_variably_modified(const ir_type *type);
@@ -392,11 +393,11 @@ typedef struct ir_text {
     bool names_optimize;       /* the attribute optimize may occur in the program's own text or in
                                 * a macro of the options, although no declaration in the tree
                                 * shows it */
-    bool names_target;         /* the same for the attributes target and target_clones */
+    bool names_target;         /* likewise, the attribute target or target_clones may occur */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
-    unsigned runtime_name_count; /* number of names in texts and options that begin like the
-                                  * runtime's names */
+    unsigned runtime_name_count; /* number of `runtime_names`: names in the program's texts or
+                                  * options with a prefix that the runtime reserves */
     const char **runtime_names;
     unsigned header_pragma_count; /* number of pragmas in the program's own headers;
                                    * header_pragmas has their texts */
@@ -404,8 +405,8 @@ typedef struct ir_text {
     map *macros;        /* name of each macro defined anywhere -> IR_MACRO_AS_OBJECT, or
                          * IR_MACRO_AS_FUNCTION if every definition has parameters. Macros known to
                          * expand to their own name are left out. NULL if there are none */
-    map *macros_before; /* the same for macros that are defined before the main file begins (by
-                         * the command line, or by a file that it includes), without the
+    map *macros_before; /* like `macros`, but only those that are defined before the main file
+                         * begins (by the command line, or by a file that it includes), without the
                          * compiler's predefined ones */
     map *pragma_macros; /* the set of the program's macros that may expand to a pragma, by name.
                          * NULL if there are none */
@@ -417,16 +418,16 @@ typedef struct ir_text {
                         * tags. NULL if there are none */
     map *header_loops; /* each loop whose text is in one of the program's own headers (key: the
                         * pointer to its node) -> its ir_position. NULL if there are none */
-    unsigned inclusion_count; /* number of inclusions, in source order; a header that is included
-                               * twice occurs twice */
+    unsigned inclusion_count; /* number of `inclusions`, which are in source order; a header that is
+                               * included twice occurs twice */
     const ir_inclusion *inclusions;
 } ir_text;
 
 typedef struct ir_unit {
     arena *arena;
     const source *source;
-    unsigned function_count; /* the functions with a body in the main file come first, in source
-                              * order */
+    unsigned function_count; /* number of `functions`; those with a body in the main file come
+                              * first, in source order */
     ir_function **functions;
     unsigned variable_count; /* number of all variables; the id is the index */
     ir_variable **variables;
@@ -456,25 +457,26 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
     return index < node->child_count ? node->children[index] : NULL;
 }
 bool ir_is_expression(const ir_node *node);
-/** Is it an element, a member or a pointer's target: a[i], s.m, p->m, *p? */
+/** Is the node an element, a member or a pointer's target: a[i], s.m, p->m, *p? */
 bool ir_is_access(const ir_node *node);
-/** Is it an access (ir_is_access) whose value is loaded? False for an access of array type, which
- *  only computes an address. */
+/** Is the node an access (ir_is_access) whose value is loaded? False for an access of array type,
+ *  which only computes an address. */
 bool ir_reads_memory(const ir_node *node);
-/** Is it of the form &operand? */
+/** Is the node of the form &operand? */
 bool ir_is_address_of(const ir_node *node);
 /** The function that the call names; NULL if it calls through a pointer. */
 ir_function *ir_called_function(const ir_node *call);
 /** Does the expression have array type (ir_is_array) or pointer type (ir_is_pointer)? */
 bool ir_is_array(const ir_node *node);
 bool ir_is_pointer(const ir_node *node);
-/** Is it an IR_FOR, IR_WHILE or IR_DO? */
+/** Is the node an IR_FOR, IR_WHILE or IR_DO? */
 bool ir_is_loop(const ir_node *node);
-/** Is it a break, continue, goto or return? */
+/** Is the node a break, continue, goto or return? */
 bool ir_is_jump(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
-/** A predicate of one node. ir_any: does it hold for `node` or for any node below it? */
+/** A predicate of one node. ir_any tells whether `question` holds for `node` or for any node below
+ *  it. */
 typedef bool (*ir_question)(const ir_node *node);
 bool ir_any(const ir_node *node, ir_question question);
 /** Is `node`, or a node below it, of that kind? */
@@ -484,15 +486,15 @@ bool ir_has_kind(const ir_node *node, ir_kind kind);
 bool ir_may_be_entered(const ir_node *node);
 /** Does the tree contain a `case` or `default` of a switch that encloses the tree? */
 bool ir_holds_case(const ir_node *node);
-/** Is it ++ or --, before or after its operand? */
+/** Is the node ++ or --, before or after its operand? */
 bool ir_is_increment(const ir_node *node);
-/** Does it select the real or the imaginary part of its operand? */
+/** Does the node select the real or the imaginary part of its operand? */
 bool ir_is_complex_part(const ir_node *node);
 /** For a loop's body: does it contain a `continue` of that loop? */
 bool ir_continues(const ir_node *node);
 /** For a loop's body: does it contain a return, a goto, or a break of that loop? */
 bool ir_leaves_loop(const ir_node *body);
-/** Is it ({ ... })? The node is opaque, but the block below it is complete. */
+/** Is the node ({ ... })? The node is opaque, but the block below it is complete. */
 bool ir_is_statement_expression(const ir_node *node);
 
 /** Does the node hold the lengths of a variable-length array at its declaration? Its children are
@@ -501,9 +503,10 @@ bool ir_is_lengths(const ir_node *node);
 /** May evaluating the expression have a side effect? True if it contains an assignment, an
  *  increment, a call or an opaque part. */
 bool ir_has_effect(const ir_node *node);
-/** Does the parent use the value of this expression? Not used are an expression statement, the left
+/** Does the parent use the value of this expression? False for an expression statement, the left
  *  side of a comma, the initialisation and increment of a for loop, and the operand of a cast to
- *  void. */
+ *  void. Also false for the right side of a comma, && or ||, and for a branch of ?:, if the value
+ *  of that whole expression is not used. */
 bool ir_value_is_used(const ir_node *node);
 /** The variable's declarator in the tree; NULL if the tree has none. Ranges cannot decide this,
  *  because everything that a macro expands to has the same range. */

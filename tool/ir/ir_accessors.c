@@ -6,7 +6,8 @@
 
 #include "ir/ir_words.h"
 
-/* nodes of one address. Nested accessor calls in arguments can multiply them */
+/* greatest number of nodes in one address; nested accessor calls in arguments can multiply the
+ * nodes */
 enum { MOST_NODES = 200 };
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
@@ -32,8 +33,8 @@ static bool can_be_named(const ir_variable *variable, const ir_function *functio
             !ir_type_is_variably_modified(variable->type));
 }
 
-/* Is it an operator or operand that may occur in an address? Other operators compute more than an
- * address. */
+/* Is the node an operator or operand that may occur in an address? Other operators compute more
+ * than an address. */
 static bool is_operator(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -139,7 +140,8 @@ static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir
     return false;
 }
 
-/* Is the accessor defined before the caller? Then all names in its address are declared there. */
+/* Is the accessor defined before the caller? Then all names in its address are declared before the
+ * call. */
 static bool is_defined_before(const ir_function *function, const ir_function *caller) {
     return !function->is_in_main_file || !caller->is_in_main_file ||
            function->range.begin < caller->range.begin;

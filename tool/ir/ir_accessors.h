@@ -22,8 +22,8 @@
  *  an array a as a[0]. */
 void ir_look_through_accessors(ir_unit *unit);
 
-/** The last step for one node: writes *(p + k), (p + k)->m and *a so. If its operand replaces
- *  another expression (`is_replaced`), also writes *&x as x, and (&x)->m as x.m. */
+/** Rewrites one node *(p + k), (p + k)->m or *a in this way. If its operand replaces another
+ *  expression (`is_replaced`), also writes *&x as x, and (&x)->m as x.m. */
 void ir_simplify_access(arena *memory, ir_node *node, bool is_replaced);
 
 #endif

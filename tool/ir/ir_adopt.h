@@ -9,8 +9,8 @@
 typedef bool (*ir_adoptable)(const ir_unit *from, const ir_function *function, void *context);
 
 /** Gives the functions `names`, which `unit` only declares, the bodies that `from` defines. Also
- *  gives bodies to the functions that these bodies call. Returns how many of the names received a
- *  body.
+ *  takes the bodies of functions that these bodies call. `may_be` decides for each function that is
+ *  not static. Returns how many of the names received a body.
  *
  *  A declaration must agree with the definition. Identical records of both units become one. Other
  *  declarations that the bodies use are added to `unit`. They have no offsets in its text, and its

@@ -13,8 +13,8 @@ typedef const char *(*ir_c_rename)(const ir_node *node, void *context);
 /** Returns the C text of a type for a cast or compound literal, or NULL if it has none. */
 typedef const char *(*ir_c_spell)(const ir_type *type, void *context);
 
-/** Same as ir_c_expression, but `spell` spells the types. If `spell` is NULL, types have their own
- *  spelling. */
+/** Same as ir_c_expression, but `spell` spells the types. If `spell` is NULL, each type's own
+ *  spelling is used. */
 bool ir_c_expression_spelled(buffer *out, const ir_node *expression, ir_c_rename rename,
                              ir_c_spell spell, void *context);
 

@@ -8,7 +8,7 @@
 /** Hashes everything that the analysis of the function uses: its body, the static functions that it
  *  calls directly or indirectly, their types and objects, and the dialect. Of other functions only
  *  the declarations are hashed. The hash does not depend on offsets, macros, strings, names of
- *  local variables, and arguments of functions that do not return. */
+ *  local variables, or arguments of functions that do not return. */
 uint64_t ir_digest(const ir_unit *unit, const ir_function *function);
 
 #endif

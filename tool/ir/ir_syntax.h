@@ -6,9 +6,9 @@
 
 #include "ir/ir.h"
 
-/** Are the two expressions equal? `(*s).b` and `s->b` are equal. Expressions with calls or
- *  assignments never are. Equal expressions denote the same memory only if none of their operands
- *  changes in between. */
+/** Are the two expressions equal? `(*s).b` and `s->b` are equal. Expressions with calls,
+ *  assignments or opaque parts never are. Equal expressions denote the same memory only if none of
+ *  their operands changes in between. */
 bool syntax_same(const ir_node *left, const ir_node *right);
 
 /** The offset of the byte after the statement, including its `;` if the text has one. */
@@ -19,8 +19,9 @@ uint32_t syntax_statement_end(const source *text, const ir_node *statement);
 const ir_node *syntax_enclosing_statement(const ir_node *node, const ir_node *outer);
 
 /** The outermost statement within `outer` that begins at the same byte as `statement`. It differs
- *  from `statement` only if one macro call expands to both. NULL if it shares text with an adjacent
- *  statement, because then it cannot be edited separately. */
+ *  from `statement` only if one macro call expands to both, or both are parts of one IR_SEQUENCE.
+ *  NULL if it shares text with an adjacent statement, because then it cannot be edited separately.
+ *  Also NULL if `statement` has no text of its own. */
 const ir_node *syntax_editable_statement(const ir_node *statement, const ir_node *outer);
 
 #endif

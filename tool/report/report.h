@@ -8,8 +8,8 @@
 
 typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML } report_form;
 
-/** The result for a loop that runs in parallel: a form for several iterations at once, or the
- * reason why it has none. */
+/** Says for a parallel loop whether a form that executes several iterations at once (in vector
+ *  lanes) was generated, or why not. */
 typedef struct lanes_remark {
     bool is_asked;    /* such a form was requested for the loop */
     const char *slug; /* NULL: the loop has such a form */

@@ -93,7 +93,8 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     return result;
 }
 
-/* The verdict's message with dots in place of the name, so that it is the same for all loops. */
+/* A text that is the same for all loops with the verdict's rule. For a refusal it is the message
+ * with dots in place of the name. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
         return verdict_is_written(verdict)

@@ -12,9 +12,9 @@
  * it. */
 bool attribute_is_harmless(const char *name, size_t length);
 
-/** Are all attributes in a function's head (the text from `at` to `end`, without its body)
- *  harmless, and written out as `__attribute__((...))`? True if there are none. Anything unparsable
- *  is not harmless. */
+/** Is each attribute in the text of a function's head (from `at` to `end`, without its body) a
+ *  harmless `__attribute__((...))`? True if the text has none; attributes that a macro spells are
+ *  not seen. False for [[...]] and for anything unparsable. */
 bool attributes_are_harmless(const char *at, const char *end);
 
 #endif

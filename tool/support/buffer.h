@@ -19,9 +19,9 @@ void buffer_format(buffer *b, const char *format, ...) __attribute__((format(pri
 void buffer_byte(buffer *b, char c);
 /** Appends a path as a URI reference: all but unreserved characters and / are escaped. */
 void buffer_uri(buffer *b, const char *path);
-/** Removes bytes from the end, at most all. */
+/** Removes `count` bytes from the end; `count` must be at most the buffer's length. */
 void buffer_shorten(buffer *b, size_t count);
-/** The text, in the arena; the buffer is empty again. */
+/** Returns the text, copied to the arena, and empties the buffer. */
 char *buffer_take(arena *a, buffer *b);
 void buffer_free(buffer *b);
 

@@ -6,7 +6,7 @@
 #define SUPPORT_COMPILER_OPTIONS_H
 
 enum option_meaning {
-    OPTION_ARGUMENT = 1 << 0,    /**< without joined text, its argument is the next word */
+    OPTION_ARGUMENT = 1 << 0,    /**< its argument is the next word, unless text is joined to it */
     OPTION_JOINED = 1 << 1,      /**< text may follow it in the same word */
     OPTION_PARSE = 1 << 2,       /**< the translator needs it to read the source as the compiler
                                   * does */
@@ -16,7 +16,7 @@ enum option_meaning {
     OPTION_DEPENDENCY = 1 << 6,  /**< requests a dependency file, or affects its contents */
     OPTION_LINKER = 1 << 7,      /**< has no effect if one source is compiled to an object */
     OPTION_AUXILIARY = 1 << 8,   /**< more files are written, named after the output */
-    OPTION_NO_RUNTIME = 1 << 9,  /**< a link to which no library may be added */
+    OPTION_NO_RUNTIME = 1 << 9,  /**< no library may be added to the link */
     OPTION_OPENMP = 1 << 10,     /**< the user's own OpenMP pragmas are on */
     OPTION_PREFIX_MAP = 1 << 11, /**< OLD=NEW, applied to file names in the object */
     OPTION_THREADS = 1 << 12,    /**< with gcc, _REENTRANT is defined as by -pthread */
@@ -39,9 +39,9 @@ typedef struct option {
 } option;
 
 /** Returns the entry for a word of the command line: the one with exactly this name, else the
- * longest name that begins the word and has OPTION_JOINED. Returns NULL if there is none; such an
- * option has no meaning here. An option -fsanitize= that reports overflow has an entry of its
- * own. */
+ *  longest name that begins the word and has OPTION_JOINED. Returns NULL if there is none; such an
+ *  option has no meaning here. An option -fsanitize= that reports unsigned arithmetic that wraps
+ *  around has a separate entry. */
 const option *option_find(const char *word);
 
 /** The options to use in place of an OPTION_LIBERTY: its parts that change no bit of a result. The

@@ -41,7 +41,7 @@ map *map_new(arena *a) {
     return m;
 }
 
-/* The key's entry, or the free one for it. */
+/* The key's entry, or the free one in which it would be stored. */
 static entry *find(const map *m, const void *key, size_t length, uint64_t hash) {
     assert((m->capacity & (m->capacity - 1)) == 0 && m->count < m->capacity);
     size_t i = (size_t)hash & (m->capacity - 1);

@@ -10,10 +10,10 @@
 typedef struct map map;
 
 map *map_new(arena *a);
-/** A pointer to the value, which is NULL for a new key; valid until the next call. Keys are
- *  copied. */
+/** Returns a pointer to the key's value. A new key is copied and added with the value NULL. The
+ *  pointer is valid until the next call of map_at. */
 void **map_at(map *m, const void *key, size_t length);
-/** The value, or NULL. */
+/** The key's value; NULL if there is no such key. */
 void *map_get(const map *m, const void *key, size_t length);
 
 #endif

@@ -42,7 +42,7 @@ bool source_is_name_byte(char c);
 /** Returns the first name in [text, end) that is a key of `names`, and stores its length in
  * *length. Returns NULL if there is none. Comments and strings are text like any other. */
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
-/** Does the name occur in text[0 .. length)? */
+/** Does the name occur in text[0 .. length), not merely as a part of a longer name? */
 bool source_has_name(const char *text, size_t length, const char *name);
 /** Like source_has_name, for a search that must not miss the word. A `$` or a byte of UTF-8 next to
  * it may belong to no name (-fno-dollars-in-identifiers), so the word counts as found there,

@@ -3,7 +3,7 @@
 
 #include "analysis/base/expression.h"
 
-/* The pointer that evaluating the expression dereferences last; NULL if it dereferences none. */
+/* The pointer that evaluating the lvalue dereferences last; NULL if it dereferences none. */
 static const ir_node *dereferenced(const ir_node *node) {
     const ir_node *child = node->child_count ? node->children[0] : NULL;
     bool child_is_array = child && child->type && child->type->kind == IR_ARRAY;
@@ -44,13 +44,13 @@ static bool is_subscript(const ir_node *node) {
 }
 
 /* Is the access made in each iteration? If a called function makes it, each call must make it once,
- * and to exactly this lvalue. */
+ * and to exactly `a->lvalue`. */
 static bool is_certain(const access *a) {
     return !a->is_conditional &&
            (!a->callee || (a->lvalue && a->is_exact && !a->is_behind && !a->loop_count));
 }
 
-/* Does each iteration read exactly this object? */
+/* Does each iteration, or the loop's bound, read exactly `lvalue`? */
 static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
         const access *a = &j->found.items.items[i];

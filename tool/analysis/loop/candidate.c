@@ -39,7 +39,7 @@ bool candidate_is_tiny(const ir_node *loop) {
     return distance <= TINY;
 }
 
-/* Does the function consist of a few statements without loops, and call only the C library and
+/* Does the function contain no loop, and call only functions in the table of library.h and
  * functions for which is_straight is true as well? */
 static bool is_straight(const ir_unit *unit, const ir_function *function, unsigned depth);
 
@@ -161,7 +161,7 @@ static bool call_depends(const dependence *d, const ir_node *call) {
     return is_elsewhere || (has_address && is_of_array && has_subscript);
 }
 
-/* Does the function update memory other than the caller's automatic variables? */
+/* Does the called function update memory other than the caller's automatic variables? */
 static bool call_updates(const dependence *d, const ir_node *call) {
     access_list list = {0};
     access_collect(d->effects, call, &list);

@@ -5,11 +5,12 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Do the loop's constants limit it to a few iterations? */
+/** Do constant bounds limit the loop to a few iterations? */
 bool candidate_is_tiny(const ir_node *loop);
 
-/** Is an iteration's work that of a few statements? It may contain only tiny loops, and calls only
- *  of the C library's mathematical functions and of functions without loops. */
+/** Is an iteration's work that of a few statements? It may contain only tiny loops
+ *  (candidate_is_tiny), and may call only C library functions that do nothing but compute a value
+ *  (library.h) and functions without loops. */
 bool candidate_is_short(const ir_unit *unit, const ir_node *body);
 
 /** Do the elements that an iteration updates depend on the loop's counter, through subscripts or

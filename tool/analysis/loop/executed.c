@@ -141,8 +141,8 @@ bool executed_certainly_in(const ir_node *outer, const ir_node *node) {
     return true;
 }
 
-/* Is there a `continue` of the loop before the node? With `stays`, those that leave it do not
- * count. */
+/* Does `part` contain a `continue` of the loop before `node`? If `stays` is set, a `continue` that
+ * stands for leaving the loop (IR_LEAVES) does not count. */
 static bool is_passed_by(const ir_node *part, const ir_node *node, bool stays) {
     if (part->kind == IR_CONTINUE)
         return part->id < node->id && !(stays && part->flags & IR_LEAVES);

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Finds reasons not to rewrite a loop's text, or not to count its iterations. */
 #include "analysis/loop/gate.h"
 
 #include <assert.h>
@@ -40,8 +39,8 @@ static const char *pragma_macro_before(const loop_analysis *j, uint32_t to) {
     return text_pragma_macro(j->an->memory, unit, above);
 }
 
-/* Finds a macro or a _Pragma between the preceding statement and the loop. It may apply to the
- * loop, and a compiler may require a loop after it. */
+/* Finds text, which must be a macro or a _Pragma, between the preceding statement and the loop.
+ * This macro may apply to the loop, and a compiler may require a loop after it. */
 static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
@@ -76,8 +75,9 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
-/* Finds an OpenMP directive of the loop that must stay. Directives that this compilation ignores do
- * not count, nor do those that redcc can replace according to their text. */
+/* Finds an OpenMP directive that must stay, of the loop or of a nest around it. Directives that
+ * this compilation ignores do not count, nor do those that redcc can replace according to their
+ * text. */
 static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
@@ -155,8 +155,8 @@ reason check_text(const loop_analysis *j) {
 
 /* ---- jumps ----------------------------------------------------------------------------------- */
 
-/* Checks a statement for jumps. `loops_and_switches` and `switches` count the statements of these
- * kinds between it and the analysed loop. A case label outside of any inner switch belongs to a
+/* Checks a node for jumps. `loops_and_switches` and `switches` count the statements of these kinds
+ * between `node` and the analysed loop. A case label outside of any inner switch belongs to a
  * switch around the loop, which then jumps into the loop. */
 static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                          unsigned switches) {
@@ -232,8 +232,8 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* The reason for which the values that the header sets cannot be computed twice. The original loop
- * may compute them again. */
+/* The reason for which the values that the header sets cannot be computed twice. Generated code
+ * computes them, and the original loop computes them again if it runs instead. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)

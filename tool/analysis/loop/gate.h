@@ -5,17 +5,17 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** check_text finds a reason in the loop's text for which the loop is refused. check_jumps does the
- *  same for jumps by which control leaves or enters the loop. The result's id is REASON_NONE if
- *  there is no reason. */
+/** check_text finds a reason in the file's text or its options for which the loop is refused.
+ *  check_jumps finds a jump by which control leaves or enters the loop. The result's id is
+ *  REASON_NONE if there is no reason. */
 reason check_text(const loop_analysis *j);
 reason check_jumps(const loop_analysis *j);
 
 typedef struct access_result {
     reason why;
-    access_list found;     /* all accesses, as in the functions' summaries */
-    unsigned count;        /* number of accesses, which `accesses` lists with their locations in
-                            * memory */
+    access_list found;     /* all accesses, as access_collect lists them */
+    unsigned count;        /* number of `accesses`, which are those of `found` with their
+                            * locations */
     loop_access *accesses; /* each has the class CLASS_OPEN */
 } access_result;
 

@@ -26,8 +26,8 @@ static const loop_span *span_at(const span_list *spans, const ir_node *loop) {
 
 /* ---- affine functions of the outer loop's counter -------------------------------------------- */
 
-/* The value that each iteration of the outer loop's body gives a variable once. NULL if the
- * variable is declared elsewhere, or has no such single value. */
+/* The value of a variable that the outer loop's body declares and that is assigned once. NULL if
+ * the variable is declared elsewhere, or has no single definition (variable_facts.h). */
 static const ir_node *value_inside(const outer_loop *t, const ir_variable *variable) {
     return ir_declarator_in(t->span.counted.body, variable)
                ? variable_single_definition(t->j->an->facts, variable)
@@ -49,7 +49,7 @@ static bool depends(const outer_loop *t, const ir_node *node) {
 static bool is_row_affine(const outer_loop *t, const ir_node *row);
 
 /* Is the integer or pointer an affine function of the outer loop's counter? Its arithmetic must not
- * wrap around, except as addresses do. */
+ * wrap around, except modulo 2^64 as addresses do. */
 static bool is_affine(const outer_loop *t, const ir_node *node) {
     if (!depends(t, node))
         return true;
@@ -97,8 +97,8 @@ static bool has_independent_header(const outer_loop *t, const ir_node *inner) {
     return true;
 }
 
-/* Does the slice contain nothing below the node but declarations, spans, and loops with hulls whose
- * ranges are the same in each iteration? */
+/* Does the slice contain nothing below the node but blocks, declarations, spans, and loops with
+ * hulls? The ranges of these loops must be the same in each iteration. False if there is a jump. */
 static bool has_only_spans(const outer_loop *t, const ir_node *node) {
     assert(node->id < t->j->function->node_count);
     const bool holds = t->j->slice.holds[node->id];

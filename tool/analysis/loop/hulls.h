@@ -7,9 +7,9 @@
  *
  *  To decide whether it owns all, a part or nothing of the window, a thread needs only the hull:
  *  the range from the lowest to the highest address. An affine function of a counter has its
- *  extremes at the counter's first and last values; one that is affine in several counters has them
- *  at the corners. The hull also contains addresses that are not updated, so a thread may check
- *  owners needlessly. */
+ *  extremes at the counter's first and last values; a function that is affine in several counters
+ *  has them at the corners of the counters' ranges. The hull also contains addresses that are not
+ *  updated, so a thread may check owners needlessly. */
 #ifndef ANALYSIS_HULLS_H
 #define ANALYSIS_HULLS_H
 

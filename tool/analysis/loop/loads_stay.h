@@ -6,8 +6,8 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** True if nothing in the loop writes these pointers, or the pointers through which they are
- *  loaded, under any name. This is proved, without a guard at run time. */
+/** True if nothing in the loop can write the pointers in `loads`, or the pointers through which
+ *  they are loaded, under any name. No guard at run time is used for this. */
 bool loads_stay(const analyser *an, const ir_node *loop, const loop_loads *loads);
 
 #endif

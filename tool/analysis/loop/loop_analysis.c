@@ -9,7 +9,7 @@
 #include "analysis/memory/update_group.h"
 #include "ir/ir_position.h"
 
-/* vector_grow copies the items; an empty list has no storage that could be shared */
+/* Gives the list its own storage: vector_grow copies the items. An empty list needs none. */
 #define OWN_LIST(a, list)                                                                          \
     do {                                                                                           \
         (list)->capacity = (list)->count;                                                          \
@@ -79,7 +79,7 @@ void analysis_assert_unchanged(const loop_analysis *known, uint64_t before) {
 
 #endif
 
-/* The loop's name in a message: by its counter, or by its line if it has none. */
+/* The loop's name in a message: by its counter, or by its line if the counter is unknown. */
 static const char *loop_text(const loop_analysis *j, const char *counter) {
     const ir_unit *unit = j->an->unit;
     const counted_result found = counted_recognise_analysed(j->loop);

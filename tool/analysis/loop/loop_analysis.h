@@ -46,8 +46,8 @@ typedef struct loop_access {
     reduction_operator op; /* for CLASS_REDUCTION */
     bool needs_guard;      /* for CLASS_SHARED: it may overlap an array, as far as the analysis
                             * can tell, or an access for which is_scalar is set */
-    bool is_scalar;        /* it is an update of a scalar with is_guarded (CLASS_SELF), or the first
-                            * read of an own element with is_guarded */
+    bool is_scalar;        /* the access is an update of a scalar (CLASS_SELF) or the first read of
+                            * an own element, and is_guarded is set for this scalar or element */
     bool meets_scalars;    /* for CLASS_SHARED: it may overlap an access for which is_scalar is
                             * set */
     bool meets_arrays; /* for CLASS_SHARED: it may overlap an array. If false, needs_guard is set
@@ -70,7 +70,7 @@ typedef VECTOR(ir_variable *) variable_list;
 typedef VECTOR(loop_source) source_list;
 typedef VECTOR(const ir_node *) key_list;
 
-/** Statements of the loop that are replaced by others while it is analysed. */
+/** Statements of the loop that are removed or replaced while the loop is analysed. */
 typedef struct left_out {
     const distribution *distribution; /* NULL if there is none */
     const loop_exits *exits;          /* as in loop_slice */
@@ -114,12 +114,12 @@ uint64_t analysis_fingerprint(const loop_analysis *known);
 void analysis_assert_unchanged(const loop_analysis *known, uint64_t before);
 
 /** Creates the reason for which the loop cannot be transformed. It is located at `node`; NULL means
- *  the loop. `name` names the cause. For reasons whose message names the loop (reasons.def), it is
- *  the counter's name, or NULL if unknown. */
+ *  the loop. `name` names the cause. If the reason's message names the loop (reasons.def), `name`
+ *  is the counter's name, or NULL if unknown. */
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name);
 
-/** Sets the reason in a check's own copy, unless one is set already. Returns false. */
+/** Sets the reason in `own`, a check's own copy, unless one is set already. Returns false. */
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name);
 
 /** Does `node`, or a node below it, use an address inside the array with this base as a value, as
@@ -137,15 +137,17 @@ const loop_start *analysis_start_of(const loop_analysis *j, const ir_variable *v
  *  declared elsewhere? */
 bool analysis_header_declares(const loop_analysis *j, const ir_variable *variable);
 
-/** Is it a local variable that changes only by its name, and not in the loop? */
+/** Is `node` a local variable other than the counter that the loop does not write? Its address must
+ *  not be taken. */
 bool analysis_is_unchanged(const loop_analysis *j, const ir_node *node);
-/** Is it a number, or a variable for which analysis_is_unchanged is true? */
+/** Is `node` a number, or a variable for which analysis_is_unchanged is true? */
 bool analysis_is_fixed(const loop_analysis *j, const ir_node *node);
 
 /** Is the statement one of the updates found? */
 bool analysis_is_update(const loop_analysis *j, const ir_node *statement);
 
-/** A name for messages: the text of the lvalue's base, or its root variable. */
+/** A name for messages: the text of the lvalue's base, the name of its root variable, or its own
+ *  text. */
 const char *analysis_name(const loop_analysis *j, const ir_node *lvalue);
 
 #endif

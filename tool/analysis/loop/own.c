@@ -21,8 +21,8 @@ enum { MOST_OWN = 16 };
 
 /* ---- its form -------------------------------------------------------------------------------- */
 
-/* Is it the counter, possibly cast to a type at least as wide, plus or minus invariants? Its values
- * in different iterations then differ, even if sums wrap around. */
+/* Is the node the counter, possibly cast to a type at least as wide, plus or minus invariants? Its
+ * values in different iterations then differ, even if sums wrap around. */
 static bool differs_always(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_CAST)
         return ir_type_is_plain_integer(node->type) &&
@@ -44,8 +44,8 @@ static bool is_array(const loop_analysis *j, const ir_node *base) {
                 : base->type->kind == IR_POINTER && analysis_is_unchanged(j, base));
 }
 
-/* Is it an element of an inner array with a constant subscript in range, so that it certainly
- * exists? */
+/* Is the node an element of an array (not of a pointer's target) with a constant subscript in
+ * range, so that it certainly exists? */
 static bool is_constant_inside(const ir_node *node) {
     int64_t value;
     return node->kind == IR_INDEX && node->children[0]->type->kind == IR_ARRAY &&
@@ -140,8 +140,8 @@ static location location_of_element(const loop_analysis *j, const ir_node *eleme
     return where;
 }
 
-/* Is the other access to another scalar of the same row, such as x[t][0] and x[t][2]? The two are
- * then disjoint for any t. */
+/* Does `other` access another scalar of the element's row, as x[t][0] and x[t][2] are of one row?
+ * These are disjoint for any t. */
 static bool is_other_part(const loop_analysis *j, const loop_access *other,
                           const ir_node *element) {
     const ir_node *lvalue = other->access.lvalue;
@@ -157,7 +157,8 @@ static bool reads_first(const loop_analysis *j, const loop_access *other) {
                : access_reads_first(j, other);
 }
 
-/* The overlap of the other access with the elements of other iterations. */
+/* The overlap of the access `other` with the elements that `element` denotes in other
+ * iterations. */
 static overlap overlap_between(const loop_analysis *j, const loop_access *other,
                                const ir_node *element, const location *where, first_use first) {
     if (!other->access.lvalue)

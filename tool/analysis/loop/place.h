@@ -6,14 +6,14 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Can the addresses of the source's row, with its loops, be computed before `place`, however
- *  control reaches it? The statement `place` must assign none of their operands, and no condition
- *  inside it may protect one of their loads. */
+/** Can the addresses of `recorded->row`, for all iterations of `recorded->loops`, be computed
+ *  before the statement `place` that contains the read `node`? The statement must assign none of
+ *  their operands, and no condition inside it may protect one of their loads. */
 bool slice_can_record(const loop_analysis *j, const loop_source *recorded, const ir_node *node,
                       const ir_node *place);
 
-/** The statement or declarator of the body that contains `node`; NULL if the node is in the loop's
- *  header. */
+/** The statement or declarator of the body that contains `node`: the whole statement if it is an
+ *  update, and the whole `for` if its header declares. NULL if `node` is in the loop's header. */
 const ir_node *slice_place(const loop_analysis *j, const ir_node *node);
 
 /** Does a condition inside the statement `place` decide whether `node` is executed? */

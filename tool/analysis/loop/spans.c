@@ -38,8 +38,8 @@ static bool has_independent_header(const loop_span *outer, const loop_span *inne
     return true;
 }
 
-/* Is it a loop over a constant range of c that accesses `x[3 * j + c]`? Its first and last rows are
- * then known. */
+/* Does the loop step only a counter c over a constant range, and does the row advance with c, as in
+ * `x[3 * j + c]`? Its first and last rows are then known. */
 static bool is_vector_loop(const ir_node *loop, const loop_span *inner, const ir_node *row) {
     const ir_variable *counter;
     int64_t first, last;
@@ -74,7 +74,8 @@ static bool is_idle(const loop_analysis *j, const ir_node *loop) {
            counted_constant_sets(j->counted.body, counter);
 }
 
-/* Does the slice contain nothing below the node but spans, and no jumps? */
+/* Does the slice contain nothing below the node but blocks, idle loops (is_idle), and spans with
+ * headers independent of `span`? False if there is a `break`. */
 static bool has_only_spans(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];

@@ -11,10 +11,10 @@
  *  (own.h): does each iteration read the element before it stores to it? */
 bool access_reads_first(const loop_analysis *j, const loop_access *a);
 
-/** May the two accesses overlap? Their types can prove that they do not only if both read first.
- *  Otherwise, the later one may be a plain store to memory that is no longer read as its old type,
- *  which C permits (C17 6.5p6). If both read first, the later one would read memory of the other's
- *  type, which is undefined (6.5p7). */
+/** May the two accesses overlap? Different types prove that they do not, but only if both accesses
+ *  read first: the later access would then read memory of the earlier one's type, which is
+ *  undefined (C17 6.5p7). Otherwise the later access may be a plain store, which may change the
+ *  memory's type (6.5p6). */
 overlap accesses_overlap(const loop_analysis *j, const loop_access *a, const loop_access *b);
 
 #endif

@@ -197,8 +197,8 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     }
 }
 
-/* Is it a member of a function's result, as in f().x? That is a temporary value, not an addressable
- * object. */
+/* Is the node a function's result or a member of it, as in f().x? Such a member is a temporary
+ * value, not an addressable object. */
 static bool is_part_of_value(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = node->children[0];

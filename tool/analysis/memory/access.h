@@ -69,8 +69,8 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 /** Appends all accesses that one execution of `node` (a statement or an expression) makes. */
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
-/** Like access_collect, but for a call. If its function has problems, this adds those of its
- *  accesses that are single elements, and that the caller can name. */
+/** Like access_collect, but for a call. If its function has problems, this adds those of the
+ *  function's accesses that are single elements and that the caller can name. */
 void access_collect_known(effects *all, const ir_node *call, access_list *list);
 
 /** The function's summary: its accesses, other than those of its local variables, expressed by its
@@ -78,12 +78,12 @@ void access_collect_known(effects *all, const ir_node *call, access_list *list);
  *  recursive. */
 const access_list *effects_of(effects *all, const ir_function *function);
 
-/** The part of an lvalue whose address determines the range of the whole lvalue: trailing
- *  subscripts that are proved to stay inside their array types are dropped. */
+/** The lvalue without trailing subscripts that are proved to stay inside their array types. The
+ *  result is never a whole variable or a field of one, unless `lvalue` is. */
 const ir_node *access_row(const ir_node *lvalue);
 
-/** Same as access_row, for reads. The result may be a whole array. It contains the bytes that are
- *  read, whatever the dropped subscripts are. */
+/** Same as access_row, but the result may also be a whole array variable. It contains the bytes
+ *  that are read, whatever the dropped subscripts are. */
 const ir_node *access_extent(const ir_node *lvalue);
 
 #endif

@@ -22,7 +22,7 @@ void access_walk_node(access_walk *w, const ir_node *node);
  *  variables. */
 void access_walk_call(access_walk *w, const ir_node *call);
 
-/** Is it the function that a C library's `assert` calls when it fails? Messages name it
+/** Is this the function that a C library's `assert` calls when it fails? Messages name it
  *  `assert`. */
 bool access_is_assertion(const ir_function *function);
 

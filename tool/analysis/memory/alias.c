@@ -83,8 +83,8 @@ static bool fields_are_disjoint(const location *a, const location *b) {
     return false;
 }
 
-/* Are these p->x and q->y with p and q pointing to the same record type? Then they are disjoint,
- * whatever p and q point to. */
+/* Are the locations different fields p->x and q->y of pointers to the same record type? Then they
+ * are disjoint, whatever p and q point to. */
 static bool pointed_fields_are_disjoint(const location *a, const location *b) {
     if (a->is_punned || b->is_punned || !a->pointer || !b->pointer)
         return false;
@@ -108,9 +108,9 @@ static bool is_reachable(const alias_rules *rules, const ir_variable *object,
     return variable_escapes(rules->facts, object);
 }
 
-/* Does the pointer's restrict qualifier hold only within one iteration? It holds during an
- * execution of the block that declares the pointer (C17 6.7.3.1p2), and this block is in the loop's
- * body. */
+/* Does the pointer's restrict qualifier hold only within one iteration? True if the loop's body
+ * declares the pointer, because the qualifier holds during one execution of the declaring block
+ * (C17 6.7.3.1p2). */
 static bool promises_for_one_iteration(const alias_rules *rules, const ir_variable *pointer) {
     const ir_node *declarator = variable_fact_of(rules->facts, pointer)->declarator;
     return rules->loop && declarator && ir_contains(rules->loop, declarator);

@@ -18,8 +18,8 @@ typedef struct callee_loop {
 
 typedef struct callee_loops {
     const ir_node *body; /* body of the function */
-    unsigned count;      /* number of loops; the outermost is first. Loops that are not counted
-                          * are left out */
+    unsigned count;      /* number of `items`, the outermost loop first. Loops without a recognised
+                          * counter are left out */
     callee_loop items[CALLEE_MOST_LOOPS];
     bool are_known; /* false if there are too many loops, or jumps that are not analysed */
 } callee_loops;

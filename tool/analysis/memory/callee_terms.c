@@ -60,7 +60,7 @@ static ir_node *rewrite_lvalue(callee_rewriting *r, const ir_node *lvalue) {
 }
 
 /* The first element that a linear search reads, expressed by the parameters; NULL if the access is
- * no search. */
+ * no search, or the element cannot be expressed. */
 static const ir_node *search_element(callee_rewriting *r) {
     const access *item = r->item;
     const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
@@ -138,9 +138,9 @@ static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     return true;
 }
 
-/* Stores in *result the access with the loops around it. Returns false if they are unknown. An
- * element that is not read in every iteration is recorded too, if all expressions in its lvalue are
- * evaluated anyway. */
+/* Stores in *result a read with the loops around it. Returns false if the rows cannot be recorded.
+ * An iteration may skip the read (is_behind); its row is recorded too. The row's loads must then be
+ * certain to happen, and it must contain no operation that may trap. */
 static bool access_with_loops(const callee_terms *terms, const access *item, bool follows_changes,
                               access *result) {
     callee_loops loops = callee_loops_around(terms->function, item->node);
@@ -234,7 +234,8 @@ static const element_bounds *bounds_in_terms(const callee_terms *terms, const ac
     return is_known && r.is_exact ? all : NULL;
 }
 
-/* Expresses the access in *result. Returns true if its address is exact. */
+/* Expresses the access in *result. Returns true if its address, or that of each iteration of
+ * result->loops, is exact. */
 static bool exact_terms(const callee_terms *terms, const access *item, bool follows_changes,
                         access *result) {
     callee_rewriting r = {.terms = terms,

@@ -165,8 +165,9 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
                            .is_presumed = is_presumed});
 }
 
-/* Adds the reads of a call without side effects. An attribute, the user (`by_user`) or the analysis
- * of another file states that it has none. */
+/* Adds the reads of a call that has no side effects, as an attribute, the user (`by_user`) or the
+ * analysis of another file states. Adds a problem if only an attribute states it and the result may
+ * depend on the thread. */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     assert(call->kind == IR_CALL);
     const ir_function *function = call->children[0]->function;

@@ -17,8 +17,8 @@ const char *exported_word(exported_kind kind) {
     return words[kind];
 }
 
-/* Is it a plain definition, without `inline` before its body? An inline function may have another
- * definition elsewhere. */
+/* Is the function defined without `inline` before its body? An inline function may have another
+ * definition elsewhere. False if its text is not in the main file. */
 static bool is_plain_definition(const ir_unit *unit, const ir_function *function) {
     const source *s = unit->source;
     const ir_range head = {function->range.begin, function->body->range.begin};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Computes summaries of a file's functions for other files. Each fits into one word. */
+/** Summarises a file's functions for other files, each by one exported_kind. */
 #ifndef ANALYSIS_EXPORTED_H
 #define ANALYSIS_EXPORTED_H
 

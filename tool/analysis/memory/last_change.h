@@ -22,7 +22,7 @@ typedef struct last_change {
 last_change last_change_before(variable_facts *facts, const ir_function *function,
                                const ir_variable *variable, const ir_node *site);
 
-/** The last change in a branch of an `if` that reaches the branch's end. */
+/** The last change in a branch of an `if`, as seen from the branch's end. */
 last_change last_change_in(variable_facts *facts, const ir_variable *variable,
                            const ir_node *branch);
 

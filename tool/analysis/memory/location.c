@@ -131,7 +131,8 @@ static bool same_pointee(const ir_type *a, const ir_type *b) {
     return a && b && a->target && b->target && ir_type_equal(a->target, b->target);
 }
 
-/* Can the definition's evaluation be repeated? It must contain no call and no assignment. */
+/* Can the evaluation of a pointer's definition be repeated? True if the definition contains no call
+ * and no assignment. */
 static bool is_followed(const ir_node *value) {
     return value->kind != IR_INITIALIZERS && expression_is_plain(value);
 }

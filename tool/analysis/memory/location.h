@@ -18,9 +18,9 @@ typedef struct location {
                                 * pointer, or unknown */
     const ir_node *pointer;    /* if there is no object: the base pointer, replaced by its value as
                                 * far as possible; NULL if unknown */
-    const ir_node *base;       /* an lvalue in the source: the array or pointer from which the last
-                                * pointer read starts, below all its subscripts, fields and
-                                * dereferences; NULL if unknown */
+    const ir_node *base;       /* the lvalue in the source from which the address is computed
+                                * without loading a further pointer: an object, or the last pointer
+                                * that is loaded; NULL if unknown */
     const ir_type *type;       /* type of the accessed value */
     unsigned step_count;
     location_step steps[8];

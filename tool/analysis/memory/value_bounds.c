@@ -93,7 +93,7 @@ static void forget_all_written(bounding *b, const ir_node *node) {
 
 /* ---- values that do not change --------------------------------------------------------------- */
 
-/* Is it a parameter that the function never writes, or a member reached through such a
+/* Is the node a parameter that the function never writes, or a member reached through such a
  * parameter? */
 static bool is_unchanged(const bounding *b, const ir_node *node) {
     switch (node->kind) {
@@ -271,7 +271,7 @@ static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *i
     return NULL;
 }
 
-/* Do the value's operands show that it is not negative, or a NaN? */
+/* Do the value's operands show that the value is a NaN or not negative? */
 static bool is_sign_of_parts(bounding *b, const ir_node *node) {
     bool is_always = false;
     switch (node->kind) {

@@ -12,8 +12,8 @@
  *  of a NaN, or of a value that is too large for an integer, is undefined (C17 6.3.1.4).
  *
  *  The statements before the place are executed on intervals (abstract interpretation). For an
- *  `if`, the results of both branches are joined. A variable that a loop, a switch or a compound
- *  assignment changes is unknown afterwards. */
+ *  `if`, the results of both branches are joined. A variable that a loop, a switch, a compound
+ *  assignment or an increment changes is unknown afterwards. */
 #ifndef ANALYSIS_VALUE_BOUNDS_H
 #define ANALYSIS_VALUE_BOUNDS_H
 

@@ -22,7 +22,8 @@ static ir_variable *changed_variable(const ir_node *node) {
     return lvalue ? expression_object(lvalue) : NULL;
 }
 
-/* Is the node an array, or a part of one, that is passed to a function, which may write to it? */
+/* Is an array passed to a function, which may write to it? The array is the node itself, or the
+ * part of it that the expression around the node denotes. */
 static bool is_handed_over(const ir_node *node) {
     const ir_node *parent = node->parent;
     while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node) ||
@@ -45,7 +46,8 @@ static bool is_step(const ir_node *write) {
 }
 
 /* Notes an operand of inline assembly or another opaque node as written, because it may be an
- * output. The lengths of variable-length arrays are only read. */
+ * output. The lengths of variable-length arrays are only read. The statements of a statement
+ * expression are noted by themselves. */
 static void note_hidden_write(variable_facts *all, const ir_node *node, const ir_node *operand) {
     const ir_variable *variable = expression_object(operand);
     if (!variable || ir_is_statement_expression(node) || ir_is_lengths(node))
@@ -134,7 +136,7 @@ static parameter_effect effect_of_argument(const variable_facts *facts, const ir
     return (parameter_effect){.keeps_address = true};
 }
 
-/* Is it &v, passed to a function that only reads through it? */
+/* Is the node &v, passed to a function that only reads through this pointer? */
 static bool is_only_read(const variable_facts *facts, const ir_node *address) {
     const ir_node *call = address->parent;
     if (address->kind != IR_UNARY || address->op != IR_OP_ADDRESS || !call ||

@@ -12,10 +12,11 @@ typedef struct variable_fact {
     /* IR_VARIABLE nodes that name it, in the order of the text */
     VECTOR(const ir_node *) occurrences;
     VECTOR(const ir_node *)
-    writes;               /* nodes that assign it, take its address, or pass it or an array in it
-                           * to a function; in the order of the text */
-    unsigned write_count; /* number of assignments, increments and initialisers; taking its
-                           * address does not count */
+    writes;               /* nodes that initialise the variable, assign it or a part of it, take its
+                           * address, or pass an array in it to a function; in the order of the
+                           * text */
+    unsigned write_count; /* number of assignments and increments of the whole variable, and of
+                           * initialisers; taking its address does not count */
     unsigned step_count;  /* how many of these are steps (p++, p += e and the like) */
     const ir_node *definition;       /* the value of the last assignment or initialiser; NULL if
                                       * that is not a plain `=` */
@@ -46,9 +47,9 @@ bool variable_escapes(variable_facts *facts, const ir_variable *variable);
  *  does. */
 bool variable_is_exposed(variable_facts *facts, const ir_variable *variable);
 
-/** Does `node`, or a node below it, assign the variable, take its address by &, or pass an array in
- *  it to a function? If the variable's address escapes (variable_escapes), the variable may also
- *  change in other ways. */
+/** Does `node`, or a node below it, initialise the variable, assign it or a part of it, take its
+ *  address by &, or pass an array in it to a function? If the variable's address escapes
+ *  (variable_escapes), the variable may also change in other ways. */
 bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable);
 /** Same as variable_written_in, but a call that receives &v and only reads through it, according to
  *  the callee's body, does not count. */
@@ -73,9 +74,9 @@ const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *var
  *  NULL if it is no such pointer. */
 const ir_node *variable_walked_array(variable_facts *facts, const ir_variable *pointer);
 
-/** Is it a restrict pointer whose value is used only for accesses through it, and for calls of
- *  functions that do not store it? If so, memory that is accessed through it and written is reached
- *  through no other pointer. */
+/** Is the variable a restrict pointer whose value is used only for accesses through it, and for
+ *  calls of functions that do not store it? If so, memory that is accessed through it and written
+ *  is reached through no other pointer. */
 bool variable_is_restricted(variable_facts *facts, const ir_variable *variable);
 
 #endif

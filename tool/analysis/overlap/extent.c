@@ -137,7 +137,7 @@ static const ir_node *pointer_in(const ir_node *value) {
 }
 
 /* The base of the read's address, as it is before the loop; NULL if it is unknown. A private
- * pointer that is set to another pointer plus an amount has the other one's base. */
+ * pointer that is set to another pointer plus an amount has the base of that other pointer. */
 static const ir_node *base_before(const loop_analysis *j, const ir_node *base) {
     enum { MOST_COPIES = 8 };
     const ir_node *first = is_fixed_base(j, base) ? base : first_of_steps(j, base);
@@ -187,10 +187,11 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
     return false;
 }
 
-/* Plans a row that is monotonic in the counter, by its ends. In iterations that do not read the
- * row, the subscript may have any value, as in `x[t - 1]` where t is 0, or behind an iteration that
- * leaves the loop. If that is likely, no condition on the counter excludes these iterations, and
- * the inspector can record the reads instead (`can_be_recorded`), returns false. */
+/* Plans a row that is monotonic in the counter, by its first and last address. Iterations that do
+ * not read the row may give the subscript any value, as in `x[t - 1]` where t is 0. Returns false
+ * if the ends cannot be checked for wrap-around. Also returns false if such a subscript may fall
+ * below its range, no condition on the counter is known, and the inspector can record the reads
+ * instead. */
 static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
@@ -322,7 +323,7 @@ static bool is_bound(const loop_analysis *j, const ir_node *node) {
            !expression_mentions(node, j->counted.counter) && can_be_read_before(j, node);
 }
 
-/* The row *base, which represents the whole table if a row is required. */
+/* The row *base, which stands for the whole table in loop_source.row. */
 static const ir_node *first_element(const loop_analysis *j, const element_bounds *bounds) {
     ir_node *row = ir_new(j->an->memory, IR_UNARY, bounds->element, 1);
     row->op = IR_OP_DEREFERENCE;

@@ -21,7 +21,8 @@ typedef struct row_address {
     row_term terms[ROW_MOST_TERMS];
 } row_address;
 
-/** Fills in *address. Returns false if a size is not constant, or if there are too many terms. */
+/** Fills in *address. Returns false if the lvalue has another form, a size is not constant, or
+ *  there are too many terms. */
 bool row_address_of(const ir_node *row, row_address *address);
 
 #endif

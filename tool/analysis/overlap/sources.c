@@ -101,8 +101,9 @@ static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
                            analysis_name(j, scalar->access.lvalue));
 }
 
-/* Guarded scalars: at run time, their addresses are compared with all arrays, with each other, and
- * with all reads that may alias them. All other writes must be proved disjoint from them. */
+/* Marks the guarded scalars. At run time, their addresses are compared with all arrays, with each
+ * other, and with all reads that may alias them. All other writes must be proved disjoint from
+ * these scalars; otherwise the loop is refused. */
 static bool check_scalars_in_memory(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *scalar = &j->accesses[i];

@@ -8,7 +8,8 @@
 
 typedef struct source_result {
     reason why;
-    loop_access *accesses; /* each read has its class, and needs_guard is set */
+    loop_access *accesses; /* each read has its class, and needs_guard is set for those that a guard
+                            * must compare */
     array_list arrays;     /* is_interleaved is set if another field is read through the same
                             * base */
 } source_result;

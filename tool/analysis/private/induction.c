@@ -4,9 +4,9 @@
  *     v = v0 + c * n,
  * where v0 is the value of v before the loop. Each iteration can begin with a copy that has this
  * value, and execute its text unchanged. The value is computed modulo 2^64 and converted to v's
- * type, so it equals the sequential loop's value unless that overflows. If instead each iteration
- * of an inner loop adds c, n is the number of inner iterations before the current outer one
- * (triangle.h). */
+ * type, so it equals the value in the sequential loop unless v overflows there. If instead each
+ * iteration of an inner loop adds c, n is the number of inner iterations before the current outer
+ * one (triangle.h). */
 #include "analysis/private/induction.h"
 
 #include <assert.h>
@@ -16,7 +16,7 @@
 #include "analysis/private/live.h"
 #include "analysis/private/step_sum.h"
 
-/* Is it a pointer to objects of a known size, not empty ones? */
+/* Is the type a pointer to objects of a known size greater than 0? */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
            type->target->kind != IR_VOID && type->target->size > 0;

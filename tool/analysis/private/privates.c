@@ -31,8 +31,9 @@ static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable 
     return true;
 }
 
-/* A variable that only the branch of an exit reads gets a last value if that is possible. Otherwise
- * the loop cannot continue at the exit (plan/continuation.h). */
+/* Decides how the variable gets its last value. Refuses the loop if the value is needed after it
+ * but unknown. A variable that only the branch of an exit reads gets a last value if possible;
+ * otherwise the loop cannot continue at the exit (plan/continuation.h). */
 static bool check_last_value(loop_analysis *j, private_variable *item) {
     const ir_variable *variable = item->variable;
     if (item->is_declared_inside || item->is_declared_in_header || item->is_stepped)

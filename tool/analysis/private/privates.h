@@ -7,14 +7,14 @@
 
 typedef struct private_check {
     reason why;
-    private_list privates;  /* includes how each gets its last value */
-    variable_list captured; /* scalars and structs declared outside the loop, which it only reads
-                             * and threads may copy; in order of first use */
+    private_list privates;  /* each with the way in which it gets its last value */
+    variable_list captured; /* scalars and structs that are declared outside the loop, that the loop
+                             * only reads, and that threads may copy; in order of first use */
     bool counter_is_live_after;
 } private_check;
 
-/** Decides how private variables get their last values, and lists the variables that the loop only
- *  reads. In `privates`, sets what this decides for each variable. */
+/** Decides how private variables get their last values, and sets this in `privates`. Also lists the
+ *  variables that the loop only reads. */
 private_check check_privates(const loop_analysis *j);
 
 #endif

@@ -21,8 +21,8 @@ bool step_is_in_each(const loop_analysis *j, const ir_node *write) {
     return is_in_header(j, write) && executed_certainly_in(j->loop->children[2], write);
 }
 
-/* Does nothing in the loop write the variable through a pointer? This is proved, without a guard at
- * run time. Distributed stores are not among the loop's accesses. */
+/* Is it proved, without a guard at run time, that nothing in the loop writes the variable? False if
+ * the loop has distributed stores, because they are not among its accesses. */
 static bool stays(const loop_analysis *j, const ir_node *variable) {
     const location from = location_of(j->an->facts, variable, j->loop);
     access_list list = {0};
@@ -49,7 +49,7 @@ static bool all_stay(const loop_analysis *j, const ir_node *node) {
     return true;
 }
 
-/* Has the expression the same value in all iterations? */
+/* Does the expression have the same value in all iterations? */
 static bool is_steady(const loop_analysis *j, const ir_node *node) {
     return stride_is_unwritten(j->loop, node) && all_stay(j, node);
 }
@@ -68,7 +68,8 @@ static bool add_stride(private_variable *item, const ir_node *value, int64_t tim
     return true;
 }
 
-/* Adds the step if the write is one of the variable: v++, v += c, v += e. */
+/* If the write steps the variable by v++, v += c or v += e, adds the amount to *item and returns
+ * true. */
 static bool add_step(const loop_analysis *j, const ir_node *write, const ir_variable *variable,
                      private_variable *item) {
     ir_variable *stepped;
@@ -84,8 +85,8 @@ static bool add_step(const loop_analysis *j, const ir_node *write, const ir_vari
 
 /* ---- steps of the variable itself ------------------------------------------------------------ */
 
-/* Checks a step by an inner loop. Either all steps of a variable are made by iterations of the
- * analysed loop, or all by those of the same inner loop. */
+/* Checks a step of an integer by an inner loop. All steps of the variable must be made by
+ * iterations of this inner loop. The variable must not be a pointer. */
 static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool is_first,
                              private_variable *item) {
     triangle inner;
@@ -103,7 +104,8 @@ static bool is_of_iterations(const loop_analysis *j, const ir_variable *variable
     return ir_contains(j->loop, write) && !(start && write == start->node);
 }
 
-/* Adds all writes of the variable, if they are steps. */
+/* Adds the amounts of all writes of the variable in the loop. Returns false if a write is no
+ * step. */
 static bool add_own_steps(const loop_analysis *j, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, item->variable);
     bool is_first = true;
@@ -133,13 +135,14 @@ static bool keeps_value(const ir_type *from, const ir_type *to) {
                                   : ir_type_is_plain_integer(from) && from->size >= to->size;
 }
 
-/* Does the variable change only by name? */
+/* Is the variable a local one of the function that changes only by name? */
 static bool is_carrier(const loop_analysis *j, const ir_variable *variable) {
     return variable_is_automatic(variable) && variable->function == j->function &&
            !variable->address_taken && !variable->has_other_name;
 }
 
-/* Adds a term of a copied sum. */
+/* Adds a term of a copied sum to the item's step. Returns false if its value may differ between
+ * iterations, or the terms are too many. */
 static bool add_term(const loop_analysis *j, const ir_node *term, bool is_down,
                      private_variable *item) {
     int64_t constant;
@@ -177,8 +180,8 @@ static const ir_variable *copied_from(const loop_analysis *j, const ir_node *val
                : NULL;
 }
 
-/* Is it a statement, or a part of one that is separated by commas, so that it is executed after all
- * writes before it in the text? */
+/* Is the write a whole statement, or separated from the rest of its statement by commas? Then it is
+ * executed after all writes before it in the text. */
 static bool is_in_sequence(const ir_node *write) {
     const ir_node *node = write;
     while (node->parent && node->parent->kind == IR_BINARY && node->parent->op == IR_OP_COMMA)
@@ -204,8 +207,8 @@ static bool is_before(const loop_analysis *j, const ir_node *a, const ir_node *b
     return is_in_header(j, a) == is_in_header(j, b) ? a->id < b->id : is_in_header(j, b);
 }
 
-/* Finds the iteration's last write of the variable before `place`, or at all if that is NULL.
- * Returns false if some write is not executed once in each iteration. */
+/* Finds the iteration's last write of the variable before `place`, or its last one if `place` is
+ * NULL. Returns false if some write is not executed once in each iteration. */
 static bool find_last_write(const loop_analysis *j, const ir_variable *variable,
                             const ir_node *place, const ir_node **found) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
@@ -222,8 +225,9 @@ static bool find_last_write(const loop_analysis *j, const ir_variable *variable,
     return true;
 }
 
-/* Adds all that lies between the variable's value at the beginning of an iteration and its value
- * at the end. It follows the copies backwards from the last write. */
+/* Adds the difference between the variable's values at the end and at the beginning of an
+ * iteration. Follows the copies backwards from the last write. Returns false if the difference is
+ * unknown. */
 static bool add_through_copies(const loop_analysis *j, private_variable *item) {
     const ir_variable *variable = item->variable;
     const ir_node *write = NULL;

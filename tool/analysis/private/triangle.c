@@ -15,9 +15,9 @@ static bool may_skip_iterations(const ir_node *body) {
            ir_has_kind(body, IR_CASE) || ir_has_kind(body, IR_DEFAULT);
 }
 
-/* Is it `i` or `i + c` for the counter i, which is `row`? Stores c, or 0, in *offset. An unsigned
- * sum is permitted only with `c = 1`, which does not wrap around, because the counter itself
- * reaches `i + 1`. */
+/* Is the node `i` or `i + c` with a constant `c >= 0`, where i is the counter `row`? Stores c, or
+ * 0, in *offset. In an unsigned sum c is at most 1, so that the sum does not wrap around: the
+ * counter itself reaches `i + 1`. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
     assert(row->type->kind == IR_INTEGER);
     *offset = 0;
@@ -36,8 +36,8 @@ static bool is_number(const ir_type *type) {
     return ir_type_is_plain_integer(type) && type->size >= 4;
 }
 
-/* Is it an end of the counter's range, and does converting it to the counter's type preserve its
- * value? */
+/* May `end` be the first value (is_first) or the bound of a counter of type `counter`? Converting
+ * it to that type must preserve its value. */
 static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_first) {
     int64_t constant;
     if (expression_constant(end, &constant))

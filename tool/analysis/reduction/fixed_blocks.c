@@ -170,8 +170,8 @@ static const nested_blocks *find_inner(const search *s, const fixed_blocks *bloc
     return inner;
 }
 
-/* Is the function inline but not static? C does not permit static data in it. `__inline__` counts
- * as inline, `noinline` does not. */
+/* Is the function, judging by its text, inline but not static? C does not permit static data in it.
+ * `__inline__` counts as inline, `noinline` does not. */
 static bool is_shared_inline(const ir_function *function, const source *text) {
     if (function->linkage.is_static)
         return false;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Handles loops whose OpenMP directive reduces scalars: `parallel for reduction(+ : sum)`. The
- *  iterations are divided into blocks, whose number depends only on the trip count. The directive
- *  distributes the blocks over threads. Each block begins with the operator's identity element, and
- *  the results are combined in the order of the blocks.
+ *  iterations are divided into blocks, whose number does not depend on the number of threads. The
+ *  directive distributes the blocks over threads. Each block begins with the operator's identity
+ *  element, and the results are combined in the order of the blocks.
  *
  *  OpenMP permits this, because a team with one thread per block may do the same. OpenMP 4.5
  *  (2.7.1, 2.15.3.6) leaves open which thread executes which iterations, and in which order results

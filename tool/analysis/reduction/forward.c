@@ -33,8 +33,9 @@ static bool is_simple_subscript(const ir_node *node) {
     return expression_is_plain(node);
 }
 
-/* Is it an element such as o[t], s->o[t].x or o[t][c], in which only subscripts can change? The
- * analysis of each array checks that pointers in its base are invariant. */
+/* Is the node a variable, or an element such as o[t], s->o[t].x or o[t][c], in which only
+ * subscripts can change? The analysis of each array checks that pointers in its base are
+ * invariant. */
 static bool is_simple_element(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -72,8 +73,9 @@ static const ir_node *value_of(const loop_access *store) {
                : NULL;
 }
 
-/* The store's statement. NULL if a jump may enter it or a later statement of its block, or if one
- * of these statements, other than the loop's own increment, changes the element's address. */
+/* The store's statement. NULL if the store is no plain assignment to an element, or if a jump may
+ * enter this or a later statement of its block. Also NULL if one of these statements, other than
+ * the loop's own increment, changes the element's address. */
 static const ir_node *statement_of(const loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = value_of(store) ? target->parent->parent : NULL;

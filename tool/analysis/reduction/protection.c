@@ -45,7 +45,7 @@ static bool is_updated_at(const loop_analysis *j, const ir_variable *variable,
     return false;
 }
 
-/* Does the variable occur only in its updates, and does no called function read it? */
+/* Does the variable occur in the loop only in its updates, and does no called function read it? */
 static bool occurs_in_updates_only(const loop_analysis *j, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     for (unsigned i = 0; i < fact->occurrences.count; i++)

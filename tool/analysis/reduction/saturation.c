@@ -12,7 +12,7 @@ static bool is_one(const ir_node *node) {
            value == 1;
 }
 
-/* Is it R++, ++R, R += 1, R = R + 1 or R = 1 + R? */
+/* Is the node R++, ++R, R += 1, R = R + 1 or R = 1 + R for the target R? */
 static bool is_step_up(const ir_node *node, const ir_node *target) {
     const update_form form = update_form_of(node);
     if (!form.is_update || !form.has_operator || form.op != REDUCTION_SUM ||

@@ -42,7 +42,7 @@ bool scalar_target_is_invariant(const loop_analysis *j, const ir_node *target) {
            !where.is_punned && !where.has_union && !where.has_bit_field;
 }
 
-/* Are these elements that differ in a constant subscript, such as e[0] and e[1], or m.x[2].y and
+/* Are a and b elements that differ in a constant subscript, such as e[0] and e[1], or m.x[2].y and
  * m.x[0].y? */
 static bool are_other_elements(const ir_node *a, const ir_node *b) {
     if (!a || !b || a->kind != b->kind)

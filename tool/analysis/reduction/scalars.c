@@ -50,7 +50,9 @@ static bool is_narrow_floating(const ir_type *type) {
 }
 
 /* Sets `operand`, the type of the operation, to which the value is converted. Returns false if no
- * operand_type represents that type. For integers, only the value modulo 2^64 matters. */
+ * operand_type represents that type, if the target is volatile or atomic, or if a floating-point
+ * target is updated by an operator other than +, -, * and the extrema. For integers, only the value
+ * modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
@@ -72,7 +74,7 @@ static bool find_operand_type(scalar_update *found) {
     return true;
 }
 
-/* Is it do { ... } while (0), as in macros? */
+/* Is the loop do { ... } while (0), as in macros? */
 static bool is_executed_once(const ir_node *loop) {
     int64_t again;
     return loop->kind == IR_DO && expression_constant(loop->children[1], &again) && !again;
@@ -248,9 +250,9 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* Checks that the variable is accessed only by updates of its scalar. If it is the `place` of an
- * extremum, only this update may access it. If the scalar is guarded, possible aliases are compared
- * at run time (sources.c). */
+/* Checks that the variable is accessed only by updates of its scalar. If `variable` is the `place`
+ * of an extremum, only the update `update` may access it. If the scalar is guarded, possible
+ * aliases are compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

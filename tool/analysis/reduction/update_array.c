@@ -220,7 +220,8 @@ static bool is_made_before(const loop_analysis *j, const ir_node *element,
            !writes_any_of(block, element->children[1]);
 }
 
-/* The element at an address &b[k], b + k or k + b. NULL if the address has another form. */
+/* The lvalue at an address such as &b[k], or the element at b + k or k + b. NULL if the address has
+ * another form. */
 static const ir_node *element_at(const loop_analysis *j, const ir_node *pointer) {
     if (pointer && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
         return pointer->children[0];

@@ -27,13 +27,15 @@ const ir_node *update_base_of(const ir_node *target, const ir_node *base);
  *  contains a union or a cast to another type. */
 const ir_node *update_table_of(const loop_analysis *j, const ir_node *base);
 
-/** Checks that the base is invariant and can be read before the loop, or is reached from a table
- *  (update_table_of). Otherwise refuses the loop. Also refuses it if all iterations update the same
- *  element, unless the element belongs to an array that has other updates. */
+/** Checks that the base is a pointer or array that is invariant and can be read before the loop, or
+ *  is reached from a table (update_table_of). Otherwise refuses the loop. Also refuses it if all
+ *  iterations update the same element, unless an update with a varying subscript of this array is
+ *  known already. */
 bool update_check_base(loop_analysis *j, const loop_access *update, const char *name);
 
 /** Stores in *number the index in j->arrays of the array behind the update's base. Adds the array
- *  if it is new. Refuses the loop if the update is incompatible with other updates of the array. */
+ *  if it is new. Refuses the loop if the update is incompatible with other updates of the array;
+ *  otherwise sets order_is_kept and is_interleaved if they require it. */
 bool update_array_find(loop_analysis *j, const loop_access *update, update_kind kind,
                        unsigned *number);
 

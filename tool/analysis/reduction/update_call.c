@@ -15,7 +15,8 @@ static bool is_subscript_below(const ir_node *subscript, int64_t count) {
     return count > 0 && counted_range(subscript, &low, &high) && low >= 0 && high < count;
 }
 
-/* Is it *(T (*)[n])p with a pointer p to T: the n elements that begin at p (callee_terms.c)? */
+/* Is the lvalue *(T (*)[n])p, where the parameter p points to T? It consists of the n elements that
+ * begin at p (callee_terms.c). */
 static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *cast = lvalue->children[0];
     return cast->kind == IR_CAST && is_parameter(cast->children[0], parameter) &&
@@ -106,7 +107,7 @@ static bool writes_within(const access_list *known, const ir_variable *parameter
     return true;
 }
 
-/* Is it a member p->v, p->m.v or p->m->v of a record to which a parameter points? */
+/* Is the node a member p->v, p->m.v or p->m->v of the record to which the parameter p points? */
 static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
     if (node->kind != IR_MEMBER || !node->type)
         return false;
@@ -132,8 +133,8 @@ static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) 
     return true;
 }
 
-/* Is it a scalar element p[k], p[k][c] or p->v[k] behind the parameter, with subscripts that the
- * caller can compute too? */
+/* Is the lvalue a scalar element p[k], p[k][c] or p->v[k] behind the parameter p, with subscripts
+ * that the caller can compute too? */
 static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *node = lvalue;
     while (node->kind == IR_INDEX && is_of_parameters(node->children[1], parameter)) {
@@ -149,7 +150,7 @@ static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter
 }
 
 /* The one element that each call writes, as in add_at(h, k, v), expressed by the function's
- * parameters. NULL if a call may write none, several or other memory. */
+ * parameters. NULL if a call may write no element, several elements or other memory. */
 static const ir_node *written_element(const access_list *known, const ir_variable *parameter) {
     const ir_node *element = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -184,9 +185,9 @@ static bool is_in_part(const ir_node *lvalue, const written_part *part) {
                          : lies_within(lvalue, part->parameter, part->size);
 }
 
-/* Can the updates be exchanged, as far as types are concerned? Not if the target is a _Bool, or an
- * integer that is updated by a value of another kind: each update then converts its result, so the
- * order matters. */
+/* Can the updates be exchanged, as far as types are concerned? False if the target is a _Bool, or
+ * an integer that is updated by a value of another kind. Each update then converts its result, so
+ * the order matters. */
 static bool keeps_type(const update_form *form) {
     const ir_type *type = form->target->type;
     return type && type->kind != IR_BOOLEAN &&

@@ -301,7 +301,7 @@ static bool check_call(loop_analysis *j, loop_access *write) {
 }
 
 /* Checks an update of several statements, v = h[k]; v += e; h[k] = v. Only the thread that owns the
- * element executes them. */
+ * element executes these statements. */
 static bool check_group(loop_analysis *j, loop_access *store, const update_group *group) {
     assert(group->first->parent == group->last->parent && group->first->id <= group->last->id);
     unsigned number;
@@ -365,8 +365,9 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     return refuse_store(j, store);
 }
 
-/* Accepts a step of a secondary induction variable that other statements read. Returns false if
- * none reads it: its steps are then updates of a scalar sum. */
+/* Accepts a step of a secondary induction variable (induction_take) that another statement reads.
+ * Returns false if no other statement reads it, because its steps may then be updates of a scalar
+ * sum. */
 static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {

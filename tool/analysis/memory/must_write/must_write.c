@@ -3,7 +3,7 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    MOST_STEPS = 2000000,   /* limit of the steps of one query. That many take some tens of
+    MOST_STEPS = 2000000,   /* greatest number of steps of one query, which take some tens of
                              * milliseconds */
     MOST_BYTES = 1 << 16,   /* size of an object that can be analysed */
     PARAMETER_WINDOW = 4096 /* bytes after the target of a pointer parameter that are analysed */
@@ -63,8 +63,8 @@ static const char *find_unfit(const ir_variable *variable) {
 typedef struct search {
     must_write *prover;
     const ir_node *body;
-    const ir_node *loop; /* the loop whose body is searched, if control never returns to the loop
-                          * after it has ended; otherwise NULL */
+    const ir_node *loop; /* the loop of `body`, if control never returns to it after it has ended,
+                          * so that the code after it is not searched; otherwise NULL */
     const ir_variable *variable;
     const ir_node *found;
 } search;
@@ -185,7 +185,7 @@ static mention find_mentions(const ir_node *body, const ir_variable *variable) {
 }
 
 /* Checks that no pointer into the private copy is used after the iteration. A pointer may remain in
- * a variable only if the variable is not used outside of the body. */
+ * a variable only if the body declares the variable, or no code outside of the body uses it. */
 static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     for (unsigned i = 0; i < s->bindings.count; i++)
         if (s->bindings.items[i].value.kind == VALUE_POINTER) {
@@ -307,8 +307,8 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     return result;
 }
 
-/* May the function store the address? The object's size, and where in the object the address
- * points, do not matter. */
+/* May the function store the address, return it, or pass it to unknown code? The object's size, and
+ * where in the object the address points, do not matter. */
 static bool keeps_address(must_write *prover, const ir_function *function, unsigned index) {
     value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count);
     arguments[index] = (value){VALUE_POINTER, false, 0};

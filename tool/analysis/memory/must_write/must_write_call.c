@@ -256,8 +256,8 @@ static value call_summarised(run *r, state *s, const ir_node *node, const ir_fun
     return summary->result;
 }
 
-/* Evaluates the arguments, each in the state before all of them, because C does not fix their
- * order. Returns whether one of them points to the object. */
+/* Evaluates the function and the arguments. C does not fix their order, so reads in each rely only
+ * on bytes written before all of them. Returns whether an argument may point into the object. */
 static bool evaluate_arguments(run *r, state *s, const ir_node *node, value *arguments) {
     const unsigned count = node->child_count - 1;
     bool is_passed = false;

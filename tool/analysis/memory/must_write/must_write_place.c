@@ -3,7 +3,8 @@
 
 static const place elsewhere = {PLACE_ELSEWHERE, false, 0, 0, 0, NULL};
 
-/* Is it a local scalar that changes only by name, so that its value can be tracked? */
+/* Is the variable a local integer, _Bool or pointer that changes only by name, so that its value
+ * can be tracked? */
 static bool is_followed(const run *r, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&

@@ -41,7 +41,7 @@ static bool is_number_or_pointer(const ir_type *type) {
     return type && (ir_type_is_plain_integer(type) || type->kind == IR_POINTER);
 }
 
-/* Is it a local integer or pointer that changes only by name? */
+/* Is the variable a local integer or pointer that changes only by name? */
 static bool is_plain(const run *r, const ir_variable *variable) {
     return run_variable_place(r, variable).kind == PLACE_LOCAL &&
            is_number_or_pointer(variable->type);
@@ -63,7 +63,7 @@ static bool same_variable(const twin_loops *twins, const ir_variable *a, const i
 
 static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *b);
 
-/* Are both &p[i] (or &w[i]) with equal arrays and subscripts? */
+/* Are both nodes of the form &p[i] (or &w[i]), with equal arrays and subscripts? */
 static bool same_address_of(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     return a->children[0]->kind == IR_INDEX && b->children[0]->kind == IR_INDEX &&
            same_tree(twins, a->children[0]->children[0], b->children[0]->children[0]) &&
@@ -104,8 +104,8 @@ static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *
     return true;
 }
 
-/* Adds the pair of counters a and b if the writer's header sets a, and the reader's header sets b,
- * to equal values. Returns false if they do not. */
+/* Adds the pair of counters a and b, which the writer sets to `start` and the reader sets to
+ * `other`. Returns false if these values may differ, or if the pair cannot be added. */
 static bool add_counter(twin_loops *twins, const ir_variable *a, const ir_node *start,
                         const ir_variable *b, const ir_node *other) {
     if (twins->counter_count == MOST_COUNTERS || !is_plain(twins->r, a) || !is_plain(twins->r, b) ||
@@ -155,7 +155,8 @@ static bool header_sets(const ir_node *loop, const ir_variable *variable) {
 }
 
 /* Adds pointers that are set by statements before the loops: p = w; for (...) *p++ = ...; The
- * values must not mention counters, which the headers have not set at that time. */
+ * values must not mention counters, which the headers have not set at that time. Returns false if
+ * such a pointer has no equal start in both loops. */
 static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     unsigned number;
     if (!a || !b || header_sets(twins->writer, a) || header_sets(twins->reader, b) ||
@@ -197,8 +198,8 @@ static bool may_jump(const ir_node *node) {
     return ir_is_jump(node) || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
-/* Are both the same element w[k], p[k] or *p? If a pointer is stepped in the expression (*p++), its
- * value before the step is compared. */
+/* Do both nodes name the same element w[k], p[k] or *p? If a pointer is stepped in the expression
+ * (*p++), its value before the step is compared. */
 static bool same_element(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     const bool is_indexed = a->kind == IR_INDEX;
     if (a->kind != b->kind || a->op != b->op || !ir_type_equal(a->type, b->type))

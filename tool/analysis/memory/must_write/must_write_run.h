@@ -78,7 +78,8 @@ value run_give_up(run *r, const ir_node *node, const char *why);
  *  are left. */
 bool run_step(run *r, const ir_node *node, unsigned steps);
 
-/** Note that the bytes [begin, end), or the set `bytes`, may be read at this point. */
+/** run_read notes that the bytes [begin, end) may be read at this point. run_read_set does so for
+ *  `bytes`, from which it removes the bytes that are already written. */
 void run_read(run *r, const state *s, const ir_node *node, int64_t begin, int64_t end);
 void run_read_set(run *r, const state *s, const ir_node *node, byte_set bytes);
 /** Notes a write: of all these bytes if is_exact, otherwise of some of them. */
@@ -91,8 +92,8 @@ value run_convert(run *r, const ir_node *node, value v, const ir_type *type);
 bool run_has_effects(run *r, const ir_node *node);
 
 /** State for operands that C evaluates in an unspecified order. In f[0] + set(f), the read must not
- *  rely on a write by the other operand. Each operand is therefore evaluated in the state from
- *  before all of them. */
+ *  rely on a write by the other operand. Before each operand, `written` is therefore reset to the
+ *  bytes written before all of them. */
 typedef struct unsequenced {
     bool is_needed;
     byte_set before, all;
@@ -141,7 +142,7 @@ void run_discard(run *r, state *s, const ir_node *expression);
  *  because such a pointer could not be tracked where this value goes. */
 void run_evaluate_closed(run *r, state *s, const ir_node *expression);
 /** Ends the interpretation if C text that the tree does not show may read the object. Such text is
- *  the length in the array type `type`. */
+ *  the length of an array in `type`, or in the operand of sizeof if `type` is NULL. */
 void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type *type);
 void run_initialise(run *r, state *s, const ir_node *declarator);
 value run_call(run *r, state *s, const ir_node *call);
@@ -160,8 +161,8 @@ bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argume
  *  variable's address? */
 bool address_kept_outside(must_write *prover, const ir_node *body, const ir_variable *variable);
 
-/** The trip count of a `for` whose first value and bound are the same variable plus constants. -1
- *  if it is unknown. The loop may still end earlier by a jump. */
+/** The trip count of a `for` with step 1 whose first value and bound are the same variable plus
+ *  constants. -1 if it is unknown. The loop may still end earlier by a jump. */
 int64_t run_known_trip_count(run *r, const ir_node *loop);
 
 #endif

@@ -88,8 +88,8 @@ int64_t byte_set_end(byte_set s) {
     return 0;
 }
 
-/* Can each field be treated separately? Not in unions and in records with bit-fields, because their
- * fields share bytes. Such a record is treated as a whole. */
+/* Can each field be treated separately? False for unions and for records with bit-fields, because
+ * their fields share bytes. Such a record is treated as a whole. */
 static bool record_has_plain_fields(const ir_record *record) {
     if (record == NULL || record->is_union || !record->is_complete)
         return false;

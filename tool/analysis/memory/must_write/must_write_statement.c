@@ -2,7 +2,7 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    /* A loop with a known trip count is executed at most this often. */
+    /* At most this many iterations of a loop are interpreted one by one. */
     MOST_ITERATIONS = 1 << 14
 };
 
@@ -17,8 +17,8 @@ static void join(run *r, const ir_node *node, state *s, const state *other) {
         state_join(r->prover->scratch, s, other);
 }
 
-/* Joins the state `s` into `to`, the state at the jump's target. Control then does not reach the
- * text after the jump from here. */
+/* Joins *s into *to, the state at the jump's target, and marks *s as unreachable. Gives up if `to`
+ * is NULL. */
 static void jump(run *r, const ir_node *node, state *s, state *to) {
     if (to == NULL) {
         run_give_up(r, node, "a jump leaves the analysed code");
@@ -104,8 +104,8 @@ static state *bindings_copy(run *r, const state *s) {
     return scratch_copy(r, &bindings);
 }
 
-/* If the trip count is known although the condition is not, executes the iterations and returns
- * true. */
+/* If the trip count is known although the condition is not, and is at most MOST_ITERATIONS,
+ * executes the iterations and returns true. */
 static bool execute_known_iterations(run *r, state *s, const loop_parts *loop, state *breaks) {
     const int64_t iterations =
         loop->counted && run_step(r, loop->body, 64) ? run_known_trip_count(r, loop->counted) : -1;

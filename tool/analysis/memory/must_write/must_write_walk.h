@@ -6,9 +6,9 @@
 
 #include "ir/ir.h"
 
-/** The value that the variable has when control reaches the loop. It is set last by an earlier
- *  statement of the same block that is executed whenever the loop is; *number becomes this
- *  statement's index in the block. NULL if the value is unknown. */
+/** The value that the variable has when control reaches the loop. The statement that sets it last
+ *  must be an earlier one in the same block, executed whenever the loop is. *number becomes its
+ *  index in the block. NULL if the value is unknown. */
 const ir_node *start_before(const ir_node *loop, const ir_variable *variable, unsigned *number);
 
 /** The only write of the variable in the body. It must be a step by a constant that each iteration
