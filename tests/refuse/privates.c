@@ -51,6 +51,21 @@ void left_early(int n, const int *k, double *h, const double *v) {
     }
 }
 
+// n + (2^63 - 1) - (n - 5) exceeds the 64 bits in which rounds are counted.
+void rounds_beyond_64_bits(long n, const int *k, double *h, const double *v) {
+    double f[2] = {0};
+    for (int t = 0; t < 5; t++) { // EXPECT: refuse private-not-proved
+        double sum = 0.0;
+        for (long c = n - 5; c < 9223372036854775807L + n; c++) {
+            sum += f[1];
+            if (c >= n - 4)
+                break;
+        }
+        f[0] = f[1] = v[t];
+        h[k[t]] += sum;
+    }
+}
+
 void only_in_one_case(int n, const int *k, double *h, const double *v) {
     double f[2] = {0};
     for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved

@@ -18,7 +18,8 @@ static bool is_wide_integer(const ir_type *type) {
 }
 
 /* Splits the value into a variable plus a number. Only signed integers without narrowing
- * conversions are permitted, so no sum wraps around. */
+ * conversions are permitted, so no sum wraps around, and only constants of 32 bits, so differences
+ * of the numbers do not either. */
 static bool offset_of(const ir_node *node, offset_value *to) {
     int64_t number;
     if (!is_wide_integer(node->type))
@@ -29,13 +30,12 @@ static bool offset_of(const ir_node *node, offset_value *to) {
     }
     if (node->kind != IR_BINARY || (node->op != IR_OP_ADD && node->op != IR_OP_SUBTRACT))
         return false;
-    if (expression_constant(node->children[1], &number))
-        return offset_of(node->children[0], to) && number > INT32_MIN && number < INT32_MAX &&
-               !(node->op == IR_OP_ADD ? __builtin_add_overflow(to->number, number, &to->number)
-                                       : __builtin_sub_overflow(to->number, number, &to->number));
-    return node->op == IR_OP_ADD && expression_constant(node->children[0], &number) &&
-           offset_of(node->children[1], to) &&
-           !__builtin_add_overflow(to->number, number, &to->number);
+    const bool is_first = node->op == IR_OP_ADD && expression_constant(node->children[0], &number);
+    if (!is_first && !expression_constant(node->children[1], &number))
+        return false;
+    return number > INT32_MIN && number < INT32_MAX && offset_of(node->children[is_first], to) &&
+           !(node->op == IR_OP_ADD ? __builtin_add_overflow(to->number, number, &to->number)
+                                   : __builtin_sub_overflow(to->number, number, &to->number));
 }
 
 /* Is the variable invariant in the loop, written neither by name nor through a pointer? */
