@@ -78,11 +78,10 @@ static affine_form affine_of_binary(const ir_node *node, affine_form a, affine_f
     default: /* multiplication */
         if (a_invariant && b_invariant)
             return sum;
-        if (expression_constant(node->children[1], &constant) && a.is_known)
-            sum.multiple = a.multiple * constant;
-        else if (expression_constant(node->children[0], &constant) && b.is_known)
-            sum.multiple = b.multiple * constant;
-        else
+        if (!(expression_constant(node->children[1], &constant) && a.is_known &&
+              !__builtin_mul_overflow(a.multiple, constant, &sum.multiple)) &&
+            !(expression_constant(node->children[0], &constant) && b.is_known &&
+              !__builtin_mul_overflow(b.multiple, constant, &sum.multiple)))
             sum.is_known = false;
         return a_invariant || b_invariant ? sum : none;
     }
