@@ -501,6 +501,15 @@ static void prospects_follow_from_what_was_found(void **unused) {
     redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution > findings.sequential);
+    assert_true(it[WAY_INDEX].check == 0);
+    findings = shuffled;
+    redcc_estimate_arms(&findings, it);
+    findings.checked = 1e6;
+    struct arm checked[WAY_COUNT];
+    redcc_estimate_arms(&findings, checked);
+    assert_true(checked[WAY_INDEX].check > 0);
+    assert_true(fabs(checked[WAY_INDEX].execution - it[WAY_INDEX].execution -
+                     checked[WAY_INDEX].check) < 1e-15);
     findings = shuffled;
     findings.fetched = true; /* an execution by a plan waits less for memory than the loop */
     struct arm fetched[WAY_COUNT];
@@ -641,6 +650,84 @@ static void a_sample_follows_tiles_that_failed(void **unused) {
     assert_int_equal(decision.action, ACTION_INSPECT);
 }
 
+/* The decision in call `calls` + 1 of a loop whose executions take 3 ms. The subscripts of `steady`
+ * calls before this one had the same sample. An execution by a plan takes 2.2 ms, and `check` ms of
+ * this are the check. The plan takes `set_up` ms to construct, and starting the threads 0.3 ms. */
+static enum action with_estimates(int calls, int steady, double set_up, double check) {
+    struct choice_state state = {0};
+    struct arm arm[WAY_COUNT] = {0};
+    const struct situation now = {
+        .trip = 1000, .threads = 2, .wake = 10e-6, .start = 0.3e-3, .steady = steady};
+    for (int n = 0; n < calls; n++)
+        redcc_observe(
+            &state, &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = 1000, .seconds = 3e-3});
+    arm[WAY_INDEX] = (struct arm){
+        .possible = true, .set_up = set_up * 1e-3, .execution = 2.2e-6, .check = check * 1e-6};
+    redcc_note_arms(&state, 1000, arm, 0.2e-3);
+    return redcc_decide(&state, &now).action;
+}
+
+/* A plan may be constructed by an overdraft if as many executions repay it as its subscripts have
+ * lasted, and if little is lost should they change after its first execution. */
+static void a_plan_is_constructed_after_some_calls(void **unused) {
+    (void)unused;
+    assert_int_equal(with_estimates(4, 4, 1.5, 0.6), ACTION_INSPECT);
+    assert_int_equal(with_estimates(4, 3, 1.5, 0.6), ACTION_SEQUENTIAL); /* not stable */
+    assert_int_equal(with_estimates(4, 4, 1.5, 0.2), ACTION_SEQUENTIAL); /* may lose 0.5 ms */
+    assert_int_equal(with_estimates(8, 4, 1.5, 0.2), ACTION_INSPECT);
+    assert_int_equal(with_estimates(30, 4, 3.4, 0.6), ACTION_SEQUENTIAL); /* five repay it */
+    assert_int_equal(with_estimates(30, 8, 3.4, 0.6), ACTION_INSPECT);
+}
+
+/* One thread takes a sample as soon as the credit covers its smaller cost, or, if subscripts are
+ * new, the cost of a sample by all threads. */
+static void one_thread_samples_early(void **unused) {
+    (void)unused;
+    struct choice_state state = {0};
+    struct situation now = {
+        .trip = 1000, .threads = 2, .wake = 10e-6, .start = 0.4e-3, .steady = 2};
+    for (int n = 0; n < 2; n++)
+        redcc_observe(
+            &state, &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = 1000, .seconds = 3e-3});
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
+    redcc_observe(&state,
+                  &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = 1000, .seconds = 3e-3});
+    now.steady = 1;
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
+    now.steady = 2;
+    const struct decision decision = redcc_decide(&state, &now);
+    assert_int_equal(decision.action, ACTION_INSPECT);
+    assert_true(decision.alone);
+}
+
+/* Iterations of several owners cost more, also if each of them has the same owners. */
+static void iterations_of_several_owners_are_apart(void **unused) {
+    (void)unused;
+    struct findings findings = shuffled;
+    assert_true(redcc_apart(&findings) == 1); /* by the changes: 0.5 */
+    findings.runs = 0;
+    assert_true(fabs(redcc_apart(&findings) - 0.5) < 1e-9);
+    findings.share = 1;
+    assert_true(redcc_apart(&findings) == 1);
+    findings.share = 0.5;
+    assert_true(redcc_apart(&findings) == 0);
+    findings.runs = 0.125;
+    assert_true(fabs(redcc_apart(&findings) - 0.5) < 1e-9);
+}
+
+/* A trial of bins that a sweep would stop is not begun. */
+static void a_sweep_may_stop_bins(void **unused) {
+    (void)unused;
+    struct findings findings = shuffled;
+    assert_false(redcc_sweep_stops_bins(&findings)); /* the slice was not timed */
+    findings.slice.compared = 1.2e-9;
+    assert_false(redcc_sweep_stops_bins(&findings));
+    findings.slice.compared = 1.3e-9;
+    assert_true(redcc_sweep_stops_bins(&findings));
+    findings.threads = 3;
+    assert_false(redcc_sweep_stops_bins(&findings));
+}
+
 static void few_short_iterations_are_one_threads(void **unused) {
     (void)unused;
     assert_int_equal(redcc_advise_threads(20, 2, 0, 0), 1); /* nothing is known yet */
@@ -678,6 +765,10 @@ int main(void) {
         cmocka_unit_test(one_thread_has_prospects_by_lanes),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
+        cmocka_unit_test(a_plan_is_constructed_after_some_calls),
+        cmocka_unit_test(one_thread_samples_early),
+        cmocka_unit_test(a_sweep_may_stop_bins),
+        cmocka_unit_test(iterations_of_several_owners_are_apart),
         cmocka_unit_test(pairs_begin_with_tiles),
         cmocka_unit_test(tiles_go_on_after_a_slow_beginning),
         cmocka_unit_test(a_sample_follows_tiles_that_failed),

@@ -390,6 +390,18 @@ static void floats_are_never_copied(void **unused) {
     free_data(&data);
 }
 
+/* A trial in a single round is given up if pushing is expected to take 0.8 of the sequential loop's
+ * time, with what preceded it. Work that was stolen makes the pushed fraction larger than 1. */
+static void slow_pushing_is_given_up(void **unused) {
+    (void)unused;
+    const struct bins_trial trial = {.usual = 1e-6, .began = 10, .pushes = 10.1}; /* 1 s in all */
+    assert_false(redcc_bins_are_late(&trial, 1e6, 0.25, 10.1 + 0.17));
+    assert_true(redcc_bins_are_late(&trial, 1e6, 0.25, 10.1 + 0.18));
+    assert_false(redcc_bins_are_late(&trial, 1e6, 1, 10.1 + 0.69));
+    assert_true(redcc_bins_are_late(&trial, 1e6, 1, 10.1 + 0.71));
+    assert_true(redcc_bins_are_late(&trial, 1e6, 2, 10.1 + 0.71));
+}
+
 /* Measuring the last iteration does not prevent the thread that executes it from claiming it. */
 static void the_last_iteration_is_claimed(void **unused) {
     (void)unused;
@@ -406,17 +418,12 @@ int main(void) {
     usual_tuning = redcc_bins_tuning;
     usual = &usual_tuning;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(floats_are_never_copied),
-        cmocka_unit_test(the_last_iteration_is_claimed),
-        cmocka_unit_test(every_operator),
-        cmocka_unit_test(rounds_of_every_size),
-        cmocka_unit_test(bins_of_every_size),
-        cmocka_unit_test(random_problems),
-        cmocka_unit_test(trials),
-        cmocka_unit_test(other_subscripts),
-        cmocka_unit_test(small_integers_are_copied),
-        cmocka_unit_test(rows_are_found_late),
-        cmocka_unit_test(uneven_iterations),
+        cmocka_unit_test(floats_are_never_copied),  cmocka_unit_test(the_last_iteration_is_claimed),
+        cmocka_unit_test(slow_pushing_is_given_up), cmocka_unit_test(every_operator),
+        cmocka_unit_test(rounds_of_every_size),     cmocka_unit_test(bins_of_every_size),
+        cmocka_unit_test(random_problems),          cmocka_unit_test(trials),
+        cmocka_unit_test(other_subscripts),         cmocka_unit_test(small_integers_are_copied),
+        cmocka_unit_test(rows_are_found_late),      cmocka_unit_test(uneven_iterations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,6 +13,7 @@
 
 #include <omp.h>
 #include <sched.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -236,6 +237,9 @@ static void stealable_blocks_are_small_and_joined_again(void **unused) {
     const double overhead = estimate.overhead * (double)ROWS;
     assert_true(overhead > 3.9 && overhead < 4.1);
     assert_true(estimate.share > 0.499 && estimate.share < 0.501);
+    /* before and after each replicated iteration the owners change; the shares at one cut only */
+    assert_true(fabs(estimate.changes * (double)ROWS - 10) < 0.1);
+    assert_true(fabs(estimate.share_changes * (double)ROWS - 2) < 0.1);
     const uintptr_t middle = redcc_cuts(&partition, 0)[EACH];
     redcc_partition_join_stealable(&partition);
     assert_int_equal(partition.owners, SHARES);

@@ -212,6 +212,10 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** Prepares a thread for an execution by `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
+/** Must a trial in a single round of `trip` iterations be given up, because pushing takes too long?
+ * A thread has pushed the fraction `pushed` of its share. */
+bool redcc_bins_are_late(const struct bins_trial *trial, double trip, double pushed, double now);
+
 /** Begins an execution of binning->call. Called by one thread. may_lose and usual are described in
  * struct bins_trial. In a trial, the rest of the loop runs sequentially once the execution has lost
  * more than may_lose, compared with the sequential loop. */

@@ -26,6 +26,11 @@ enum {
  * rate is at most as high as it and at least kept_down_to times as high. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
+/* The seconds of pushing a trial's only round, as a fraction of the sequential loop's time, beyond
+ * which the round is given up: all its records are lost. Applying the records follows, which took
+ * at least an eighth of the time of pushing. */
+static const double pushed_most = 0.8;
+
 static uint32_t stream_count(const struct binning *binning) {
     return binning->loop->stream_count;
 }
@@ -41,6 +46,12 @@ static redcc_int most_of_round(const struct binning *binning) {
         if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
             most = redcc_min(most, redcc_bins_tuning.round_of_spans);
     return most;
+}
+
+bool redcc_bins_are_late(const struct bins_trial *trial, double trip, double pushed, double now) {
+    assert(trial->usual > 0 && pushed > 0);
+    const double pushing = (now - trial->pushes) / (pushed < 1 ? pushed : 1);
+    return trial->pushes - trial->began + pushing > pushed_most * trial->usual * trip;
 }
 
 static bool is_trial(const struct binning *binning) {
@@ -114,19 +125,15 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* With REDCC_WHOLE, whose only round is all that a trial executes: will pushing take longer than
- * the trial may take? False until an eighth of the thread's share is pushed, because the first
- * records are slow: their memory is new. */
+/* With REDCC_WHOLE, whose only round is all that a trial executes: must the round be given up?
+ * Asked from an eighth of the thread's share on, because the first records are slow: their memory
+ * is new. */
 static bool is_late(const struct binning *binning, const struct binner *binner) {
     const struct bins_trial *it = &binning->trial;
-    const double trip = (double)binning->call->request.trip, share = trip / binner->threads;
-    if (!redcc_bins_is_whole(binning) || !is_trial(binning) || it->usual <= 0 ||
-        8 * (double)binner->pushed < share)
-        return false;
-    const double before = it->pushes - it->began;
-    const double left = share / (double)binner->pushed;
-    const double pushing = (redcc_seconds() - it->pushes) * (left > 1 ? left : 1);
-    return before + pushing > it->usual * trip + it->may_lose;
+    const double trip = (double)binning->call->request.trip;
+    const double pushed = (double)binner->pushed * binner->threads / trip;
+    return redcc_bins_is_whole(binning) && is_trial(binning) && it->usual > 0 && pushed >= 0.125 &&
+           redcc_bins_are_late(it, trip, pushed, redcc_seconds());
 }
 
 /* Hands out the next chunk of the thread's current piece, or of a new piece. */

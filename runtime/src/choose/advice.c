@@ -235,8 +235,11 @@ static double usual_iteration(const struct chooser *chooser, const struct reques
 
 /* Converts the arms' seconds per iteration to those of the learner. */
 static void per_asked(struct arm *arm, const struct request *request) {
-    for (enum way way = 0; way < WAY_COUNT; way++)
-        arm[way].execution *= (double)request->trip / (double)request->asked;
+    const double share = (double)request->trip / (double)request->asked;
+    for (enum way way = 0; way < WAY_COUNT; way++) {
+        arm[way].execution *= share;
+        arm[way].check *= share;
+    }
 }
 
 /* Seconds to record an iteration's touches and its end, beyond its slice. */
@@ -328,7 +331,7 @@ static double time_of_selecting(const struct inspection *inspection, const struc
     const double records = is_dry && dried > 0 ? dried : time_of_records(inspection);
     const double slice = records > it->slice.recorded ? records : it->slice.recorded;
     const double alike = it->slice.compared > 0 ? it->slice.compared : slice;
-    const double open = is_dry || it->runs >= LEARN_FREQUENT ? 1 : it->runs / LEARN_FREQUENT;
+    const double open = is_dry ? 1 : redcc_apart(it);
     const double before = redcc_may_be_fenced(loop) ? 0 : (is_dry ? dried : 0) + slice * even;
     return before + (alike + open * (slice - alike)) * even + open * slice * (1 - even);
 }
@@ -359,9 +362,10 @@ static void find_bins(const struct inspection *inspection, const struct estimate
     const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
                            bytes <= LEARN_CACHE &&
                            findings->touches * (double)findings->trip * least_row > bytes;
-    findings->binned = loop->flags & REDCC_BINNED;
     findings->bins_known = is_copied || is_random(inspection, estimate->changes);
     const bool is_swept = loop->flags & REDCC_BINS_CHECKED;
+    findings->binned =
+        loop->flags & REDCC_BINNED && !(is_swept && redcc_sweep_stops_bins(findings));
     findings->bin_more =
         (is_copied ? bytes * LEARN_BYTE : 0) +
         (is_swept ? findings->slice.recorded * (double)findings->trip / findings->threads : 0);
@@ -384,14 +388,15 @@ static void trace_arms(const struct findings *findings, const struct arm *arm,
 }
 
 static struct decision pick_way(struct chooser *chooser, const struct inspection *inspection,
-                                const struct estimate *estimate, const struct advice *entry) {
+                                const struct estimate *estimate, bool steals,
+                                const struct advice *entry) {
     const struct call *call = inspection->call;
     struct arm arm[WAY_COUNT];
     struct findings findings = begin_findings(chooser, inspection);
     findings.share = estimate->share;
-    findings.runs = estimate->changes;
+    findings.runs = steals ? estimate->changes : estimate->share_changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
-    findings.fetched = is_fetched(inspection, findings.runs);
+    findings.fetched = is_fetched(inspection, estimate->changes);
     findings.direct = share_directly(inspection, &findings, estimate->direct);
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
@@ -435,7 +440,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
         return ROUTE_DIRECT;
     }
     const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
-    const struct decision decision = pick_way(chooser, inspection, estimate, entry);
+    const struct decision decision = pick_way(chooser, inspection, estimate, steals, entry);
     if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
         redcc_partition_join_stealable(partition);
     entry->way = decision.way;

@@ -27,10 +27,16 @@ static double recording(const struct findings *it) {
     return touches > it->slice.recorded ? touches : it->slice.recorded;
 }
 
+double redcc_apart(const struct findings *it) {
+    const double several = it->share * it->threads - 1, runs = it->runs / LEARN_FREQUENT;
+    const double apart = several > runs ? several : runs;
+    return apart < 1 ? apart : 1;
+}
+
 /* Seconds to sweep an iteration. Consecutive iterations that touch only one owner's range are
  * compared, not recorded. */
 static double sweeping(const struct findings *it) {
-    const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
+    const double apart = redcc_apart(it);
     const double alike = it->slice.compared > 0 ? it->slice.compared : recording(it);
     return alike + apart * (recording(it) - alike) + it->runs * 2 * LEARN_ROW;
 }
@@ -43,11 +49,11 @@ static void by_copies(const struct findings *it, struct arm *arm) {
                      it->copied * (it->reusable ? LEARN_BYTE : 4 * LEARN_BYTE) / trip;
 }
 
-/* Estimates owners by address. If an iteration touches other owners than the iteration before, it
- * begins a new run, and must check the owner of each row that it writes. Therefore it costs
- * more. */
+/* Estimates owners by address. An iteration that touches rows of several owners must check the
+ * owner of each row that it writes. One that touches other owners than the iteration before begins
+ * a new run. Therefore they cost more. */
 static void by_index(const struct findings *it, struct arm *arm) {
-    const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
+    const double apart = redcc_apart(it);
     arm->possible = true;
     arm->set_up = it->spent + sweeping(it) * (double)it->trip / it->threads;
     arm->execution =
@@ -81,6 +87,10 @@ static void by_bins(const struct findings *it, struct arm *arm) {
         it->sequential * LEARN_CONTENDED / it->threads + it->bin_more / (double)it->trip;
 }
 
+bool redcc_sweep_stops_bins(const struct findings *findings) {
+    return findings->slice.compared > LEARN_SHARE * findings->sequential * findings->threads;
+}
+
 void redcc_estimate_arms(const struct findings *findings, struct arm *arm) {
     assert(findings->trip > 0 && findings->threads >= 1);
     const double trip = (double)findings->trip;
@@ -93,6 +103,8 @@ void redcc_estimate_arms(const struct findings *findings, struct arm *arm) {
     directly(findings, &arm[WAY_DIRECT]);
     by_bins(findings, &arm[WAY_BINS]);
     /* a plan that cannot be kept is used only once */
-    for (enum way way = WAY_COPIES; redcc_is_planned(way); way++)
+    for (enum way way = WAY_COPIES; redcc_is_planned(way); way++) {
+        arm[way].check = findings->reusable ? checked : 0;
         arm[way].execution += findings->reusable ? checked : arm[way].set_up / trip;
+    }
 }

@@ -41,6 +41,14 @@ struct findings {
     double checked; /**< number of bytes of subscripts that are compared before a plan is reused */
 };
 
+/** The fraction of the iterations that touch rows of several owners, or other owners than the
+ * iterations around them: at least the fraction that all shares together execute repeatedly. */
+double redcc_apart(const struct findings *findings);
+
+/** Would a trial of bins that begins with a sweep of all slices (REDCC_BINS_CHECKED) be stopped in
+ * this sweep? It is stopped when it has lost LEARN_SHARE of an execution. */
+bool redcc_sweep_stops_bins(const struct findings *findings);
+
 /** Fills in the estimates arm [WAY_COUNT]. */
 void redcc_estimate_arms(const struct findings *findings, struct arm *arm);
 

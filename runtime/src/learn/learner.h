@@ -39,6 +39,8 @@ struct arm {
                        sample */
     double learned; /**< `set_up` as measured, or a lower bound of it; 0: not measured */
     double execution; /**< seconds per iteration, including the check of a kept plan; estimated */
+    double check;     /**< the part of `execution` that this check takes. The first execution by a
+                         plan has no check */
     struct timings timed; /**< the times of measured executions */
 };
 

@@ -42,15 +42,29 @@ static bool is_new_row(const struct sample *sample, size_t i) {
     return true;
 }
 
-/* Counts, for each owner and each share, the iterations in a thread's sample that touch it. Returns
- * how often the lowest or highest owner differs between consecutive sampled iterations. */
-static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
-                            uint32_t first, struct parts parts) {
+/* How often consecutive iterations of a sample touch different owners, and different shares. */
+struct changes {
+    uint32_t of_owners;
+    uint32_t of_shares;
+};
+
+static void note_change(struct changes *changes, struct span_of_owners before,
+                        struct span_of_owners now, uint32_t each) {
+    if (before.low > before.high) /* there is none before */
+        return;
+    changes->of_owners += now.low != before.low || now.high != before.high;
+    changes->of_shares +=
+        now.low / each != before.low / each || now.high / each != before.high / each;
+}
+
+/* Counts, for each owner and each share, the iterations in a thread's sample that touch it. Adds to
+ * *changes how often the owners, and the shares, of consecutive sampled iterations differ. */
+static void count_parts(const struct partition *partition, const struct sample *sample,
+                        uint32_t first, struct parts parts, struct changes *changes) {
     const uint32_t each = 1 + partition->stealable;
     const bool is_mapped = partition->map.owner;
     const struct span_of_owners none = {UINT32_MAX, 0};
     struct span_of_owners before = none, now = none;
-    uint32_t changes = 0;
     for (size_t i = 0; i < sample->count; i++) {
         const struct sampled *item = &sample->item[i];
         const uint32_t group = partition->group_of[item->array];
@@ -59,8 +73,7 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
                                    : redcc_owner_of(partition, group, item->address);
         const uint32_t iteration = first + item->iteration;
         if (i > 0 && item->iteration != sample->item[i - 1].iteration) {
-            changes +=
-                before.low <= before.high && (now.low != before.low || now.high != before.high);
+            note_change(changes, before, now, each);
             before = now;
             now = none;
         }
@@ -69,7 +82,6 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
         take_part(&parts.of_owner[owner], iteration);
         take_part(&parts.of_share[owner / each], iteration);
     }
-    return changes;
 }
 
 /* Adds a thread's sample to *all. */
@@ -96,10 +108,11 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
     if (!part)
         return false;
     const struct parts parts = {part, part + owners};
-    uint32_t iterations = 1, most = 0, changes = 0, overhead = 0;
+    uint32_t iterations = 1, most = 0, overhead = 0;
+    struct changes changes = {0, 0};
     struct touching all = {0};
     for (int thread = 0; thread < threads; thread++) {
-        changes += count_parts(partition, sample[thread], iterations, parts);
+        count_parts(partition, sample[thread], iterations, parts, &changes);
         iterations += sample[thread]->iterations + 1;
         count_touches(partition, sample[thread], &all);
     }
@@ -116,7 +129,8 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
                                            .records = all.records / iterations,
                                            .leading_rows = all.leading_rows / iterations,
                                            .further_rows = all.further_rows / iterations},
-                                  .changes = (double)changes / iterations};
+                                  .changes = (double)changes.of_owners / iterations,
+                                  .share_changes = (double)changes.of_shares / iterations};
     redcc_memory_free(part);
     return true;
 }

@@ -24,6 +24,7 @@ struct estimate {
     double changes; /* fraction of the sampled iterations whose lowest or highest owner differs from
                        that of the sampled iteration before. It is roughly an upper bound of the
                        fraction that begins a run */
+    double share_changes; /* `changes` without stealable blocks: from share to share */
 };
 
 /** Computes statistics of the samples of `threads` threads, for a partition that is cut or has a
