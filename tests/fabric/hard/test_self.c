@@ -77,7 +77,7 @@ static void test_apart_is_sure(void **state) {
         if (n % 4 < 2)
             self_pair_ends_near(n % 2, x, x, INFINITY, &nearest);
         for (int k = 0; k < 4 && n % 4 >= 2; k++)
-            nearest.weight[k] = random_number(&seed);
+            nearest.weight[k] = 8 * random_number(&seed);
         if (!self_pair_stays_apart(n % 2, x, y, nearest.weight, distance))
             continue;
         apart++;
