@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Sums over chunks of consecutive items. A chunk's length depends only on the number of items, so
  *  a sum has the same bits at any number of threads. The caller's loop over chunks fills
- *  sum[CHUNK_SUM_MOST]. */
+ *  sum[CHUNK_SUM_MOST]. It stores a chunk's sum once, because neighbours share a cache line. */
 #ifndef FABRIC_CHUNK_SUM_H
 #define FABRIC_CHUNK_SUM_H
 

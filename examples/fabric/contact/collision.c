@@ -377,14 +377,17 @@ double collisions_keep_out(collisions *c, double time, double h, const double (*
     if (!c->now || !c->any_near)
         return 0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
-    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++) {
+        double own = 0;
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
             const double before = vector_dot(v[i], v[i]);
             const double changed = keep_out(c, i, time, h, x[i], v[i]);
             if (changed > 0)
-                sum[chunk] += c->mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
+                own += c->mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
             largest = changed > largest ? changed : largest;
         }
+        sum[chunk] = own;
+    }
     *work += chunk_sum_all(count, sum);
     return largest;
 }

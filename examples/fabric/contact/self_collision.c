@@ -14,6 +14,9 @@
 static const double separation_rate = 0.25;
 /* Pairs that would pass keep this fraction of their distance, or of the gap. */
 static const double kept_part = 0.1;
+/* A pair that stays farther apart than this fraction of the gap needs no impulse. It is greater
+ * than kept_part by more than rounding errors. */
+static const double surely = 0.101;
 /* Threads take this number of pairs at once. Pairs that may meet take a hundred times as long as
  * the others, and they come together. */
 enum { PAIRS_AT_ONCE = 64 };
@@ -83,17 +86,33 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
     return self_pair_is_near(pair->is_edges, (const double(*)[3])at, s->gap, &found);
 }
 
+/* Are the features nearer than the gap at the beginning of the step? Stores the answer in *known,
+ * with the contact if they are. */
+static int starts_near(const self_collision *s, const self_pair *pair, const double start[4][3],
+                       self_demand *known) {
+    if (known->start != SELF_UNKNOWN)
+        return known->start == SELF_NEAR;
+    const int is_near = !pair->near_at_rest &&
+                        self_pair_is_near(pair->is_edges, start, s->gap, &known->contact) &&
+                        !rest_near(s, pair);
+    known->start = is_near ? SELF_NEAR : SELF_APART;
+    return is_near;
+}
+
 /* Computes the change of the normal velocity that the pair requires, m/s, or 0 if it requires
  * none. */
 static double required_change(const self_collision *s, const self_pair *pair, double h,
-                              const double (*x)[3], const double (*v)[3], self_contact *found) {
+                              const double (*x)[3], const double (*v)[3], self_demand *known) {
     double from[4][3], to[4][3], speed = 0, least = 0;
+    self_contact *found = &known->contact;
     if (self_pair_keeps_distance(pair->vertex, pair->is_edges, s->gap, h, x, v))
         return 0;
     self_pair_gather(pair, h, x, v, from, to);
     const double(*start)[3] = (const double(*)[3])from, (*end)[3] = (const double(*)[3])to;
-    if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found) &&
-        !rest_near(s, pair))
+    if (known->start == SELF_APART &&
+        self_pair_stays_apart(pair->is_edges, start, end, found->weight, surely * s->gap))
+        return 0;
+    if (starts_near(s, pair, start, known))
         least = separation_rate * (s->gap - found->distance) / s->step;
     else if (self_pair_passes(pair->is_edges, start, end, found))
         least = -(1 - kept_part) * found->distance / h;
@@ -123,7 +142,11 @@ static void update_demand(self_collision *s, int n, double h, const double (*x)[
                           const double (*v)[3]) {
     assert(n >= 0 && n < s->pair_count);
     self_demand *to = &s->history.demand[n];
-    to->change = required_change(s, &s->pair[n], h, x, v, &to->contact);
+    if (s->history.pair[n] < 0) { /* *to may be that of an earlier list */
+        to->start = SELF_UNKNOWN;
+        memset(&to->contact, 0, sizeof to->contact);
+    }
+    to->change = required_change(s, &s->pair[n], h, x, v, to);
     assert(!(to->change < 0));
 }
 

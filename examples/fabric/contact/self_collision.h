@@ -72,10 +72,16 @@ typedef struct self_contact {
     double distance; /* m, distance along the normal at the step's beginning */
 } self_contact;
 
-/** The impulse that a pair needs. */
+/** Are a pair's features nearer than the gap at the beginning of the step? */
+typedef enum self_start { SELF_UNKNOWN, SELF_APART, SELF_NEAR } self_start;
+
+/** The impulse that a pair needs, and what is known about it since the search: a step's impulses
+ *  change velocities, but not where it begins. */
 typedef struct self_demand {
     double change; /* m/s, required change of the normal velocity; 0: none */
-    self_contact contact;
+    self_start start;
+    self_contact contact; /* if SELF_NEAR that at the beginning; if SELF_APART its weights are those
+                           * of points that were nearest at some moment, or 0 */
 } self_demand;
 
 /** Shows which pairs can be skipped: a pair that needed no impulse needs none while its vertices
@@ -148,6 +154,11 @@ int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], s
  *  the points that are nearest at y. */
 int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
                         self_contact *found);
+
+/** Do the features surely stay farther from each other than `distance` while they move from x to y?
+ *  Looks only along the line between the points with these weights at x. */
+int self_pair_stays_apart(int is_edges, const double x[4][3], const double y[4][3],
+                          const double weight[4], double distance);
 
 /** Are the features nearer than the gap at x? */
 int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found);

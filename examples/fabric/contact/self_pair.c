@@ -107,6 +107,32 @@ int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_conta
     return distance < gap && distance > 1e-6 * gap && set_normal(x, found);
 }
 
+/* The distance along `axis`, in units of its length, from the second feature to the first; below 0
+ * if they overlap along it. */
+static double distance_along(int is_edges, const double x[4][3], const double axis[3]) {
+    const int firsts = is_edges ? 2 : 1;
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < 4; k++) {
+        const double at = vector_dot(axis, x[k]);
+        if (k < firsts)
+            low = at < low ? at : low;
+        else
+            high = at > high ? at : high;
+    }
+    return low - high;
+}
+
+/* Positions are linear in time, so between x and y the distance along the axis is never less than
+ * the smaller of the two distances. */
+int self_pair_stays_apart(int is_edges, const double x[4][3], const double y[4][3],
+                          const double weight[4], double distance) {
+    double axis[3];
+    nearest_combine(x, weight, axis);
+    const double start = distance_along(is_edges, x, axis);
+    const double end = distance_along(is_edges, y, axis), least = start < end ? start : end;
+    return least > 0 && least * least > distance * distance * vector_dot(axis, axis);
+}
+
 /* Returns six times the volume of the tetrahedron of the four points at time t; it is 0 if they are
  * coplanar. */
 static double volume_at(const double x[4][3], const double y[4][3], double t) {

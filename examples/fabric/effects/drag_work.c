@@ -29,8 +29,11 @@ double drag_work(const triangle_elements *e, drag_kind kind, double drag, const 
     if (drag <= 0 || vector_length(wind) <= 0) /* air at rest takes energy and gives none */
         return 0;
 #pragma omp parallel for schedule(static)
-    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++) {
+        double own = 0;
         for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++)
-            sum[chunk] += work_of(e->vertex[t], kind, h * drag, wind, x, v);
+            own += work_of(e->vertex[t], kind, h * drag, wind, x, v);
+        sum[chunk] = own;
+    }
     return chunk_sum_all(count, sum);
 }

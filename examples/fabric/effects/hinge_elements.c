@@ -129,13 +129,16 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]) {
 double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
 #pragma omp parallel for schedule(static)
-    for (int chunk = 0; chunk < chunk_sum_chunks(e->count); chunk++)
+    for (int chunk = 0; chunk < chunk_sum_chunks(e->count); chunk++) {
+        double own = 0;
         for (int t = chunk * chunk_sum_length(e->count); t < chunk_sum_end(e->count, chunk); t++) {
             const double angle = angle_at(e, t, x);
             if (e->cached)
                 e->cached[t] = angle;
-            sum[chunk] += e->weight[t] * angle * angle;
+            own += e->weight[t] * angle * angle;
         }
+        sum[chunk] = own;
+    }
     if (e->cached && e->count > 0)
         memcpy(e->cached_x, x, sizeof *e->cached_x * (size_t)e->vertices);
     e->has_cached = e->cached != NULL;

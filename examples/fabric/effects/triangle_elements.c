@@ -67,16 +67,20 @@ void triangle_energies(const triangle_elements *e, const triangle_material *mate
     double along[CHUNK_SUM_MOST] = {0}, slanted[CHUNK_SUM_MOST] = {0};
     const int count = e->count;
 #pragma omp parallel for schedule(static)
-    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++) {
+        double own_along = 0, own_slanted = 0;
         for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++) {
             double wu[3], wv[3];
             triangle_derivatives(&e->rest[t], x, e->vertex[t][0], e->vertex[t][1], e->vertex[t][2],
                                  wu, wv);
             const double u = vector_length(wu) - 1, v = vector_length(wv) - 1;
             const double s = vector_dot(wu, wv);
-            along[chunk] += e->rest[t].area * (u * u + v * v);
-            slanted[chunk] += e->rest[t].area * s * s;
+            own_along += e->rest[t].area * (u * u + v * v);
+            own_slanted += e->rest[t].area * s * s;
         }
+        along[chunk] = own_along;
+        slanted[chunk] = own_slanted;
+    }
     if (stretch)
         *stretch = material->stretch * chunk_sum_all(count, along) / 2;
     if (shear)

@@ -2,6 +2,8 @@
 #define _GNU_SOURCE /* for syscall */
 #include "solver_domains_turns.h"
 
+#include "base/clock.h"
+
 #ifdef __linux__
 #include <linux/futex.h>
 #include <sys/syscall.h>
@@ -10,10 +12,14 @@
 #include <sched.h>
 #endif
 
-/* A thread spins before it sleeps: MOST_SPINS times, about 50 us, if its waits are short. A wait
- * that had to sleep halves the number, because the awaited thread may have no core. */
-enum { MOST_SPINS = 2048 };
-static _Thread_local int spins = MOST_SPINS;
+static _Thread_local int spins = DOMAIN_TURN_MOST_SPINS;
+
+int domain_turn_next_spins(int now, double asleep) {
+    static const double long_sleep = 3e-4; /* s */
+    if (asleep > long_sleep)
+        return now > 1 ? now / 2 : 1;
+    return now < DOMAIN_TURN_MOST_SPINS ? 2 * now : now;
+}
 
 static void relax(void) {
 #if defined(__x86_64__)
@@ -44,14 +50,13 @@ static void sleep_until(domain_turn *turn, unsigned pass) {
 
 static void await_one(domain_turn *turn, unsigned pass) {
     for (int spin = 0; spin < spins; spin++) {
-        if (has_made(turn, pass)) {
-            spins = spin > 0 && spins < MOST_SPINS ? 2 * spins : spins;
+        if (has_made(turn, pass))
             return;
-        }
         relax();
     }
-    spins = spins > 1 ? spins / 2 : 1;
+    const double start = clock_seconds();
     sleep_until(turn, pass);
+    spins = domain_turn_next_spins(spins, clock_seconds() - start);
 }
 
 void domain_turn_add_neighbour(domain_turn *turn, int domain) {

@@ -21,9 +21,12 @@ const char *monitor_verdict_name(monitor_verdict verdict) {
 static double kinetic_energy(int count, const double *mass, const double (*v)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
 #pragma omp parallel for schedule(static)
-    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++) {
+        double own = 0;
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++)
-            sum[chunk] += mass[i] * vector_dot(v[i], v[i]) / 2;
+            own += mass[i] * vector_dot(v[i], v[i]) / 2;
+        sum[chunk] = own;
+    }
     return chunk_sum_all(count, sum);
 }
 
@@ -32,12 +35,15 @@ static double gravity_work(int count, const double *mass, const double gravity[3
                            const double (*x)[3], const double (*x_next)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
 #pragma omp parallel for schedule(static)
-    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++) {
+        double own = 0;
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
             double moved[3];
             vector_subtract(x_next[i], x[i], moved);
-            sum[chunk] += mass[i] * vector_dot(gravity, moved);
+            own += mass[i] * vector_dot(gravity, moved);
         }
+        sum[chunk] = own;
+    }
     return chunk_sum_all(count, sum);
 }
 

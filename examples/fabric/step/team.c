@@ -15,6 +15,9 @@
 static const double share = 0.02, margin = 1.5, gain = 0.97;
 /* Weight of a new round in the exponential moving averages. */
 static const double weight = 0.3;
+/* Trials of fewer threads become rarer while they fail: each failure doubles what the next one is
+ * charged, at most so many times. When such a trial is urgent, rounds have become slower. */
+enum { MOST_DOUBLINGS = 2 };
 /* Number of rounds before the first trial: the first rounds also allocate memory and inspect
  * loops. */
 enum { SETTLED = 3 };
@@ -160,8 +163,9 @@ static void evaluate_trial(team *t, const team_round *round) {
         take_in(at, round);
         t->level = t->trial;
     } else {
-        at->risk = loss;
-        t->credit -= loss > 0 ? loss : 0;
+        at->risk = t->trial > t->level ? loss * (double)(1 << at->failures) : loss;
+        at->failures += at->failures < MOST_DOUBLINGS;
+        t->credit -= at->risk > 0 ? at->risk : 0;
     }
     change_direction(t, better);
 }
@@ -193,8 +197,10 @@ void team_end(team *t, const team_round *round) {
      * may be faster. */
     if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
         allow_trial(t, round->seconds);
-        for (int l = 0; l < t->levels; l++)
+        for (int l = 0; l < t->levels; l++) {
             t->at[l].risk = 0;
+            t->at[l].failures = 0;
+        }
     }
     take_in(at, round);
 }

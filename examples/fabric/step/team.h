@@ -25,6 +25,7 @@ enum { TEAM_LEVELS = 16 };
 /** The times of rounds with one number of threads. */
 typedef struct team_level {
     int rounds;       /* number of rounds in the means */
+    int failures;     /* number of failed trials since it was chosen, at most MOST_DOUBLINGS */
     double others;    /* s per round, without the solver's iterations */
     double iteration; /* s per iteration of the solver */
     double risk;      /* s that a trial of this level is expected to lose; 0: no trial so far */

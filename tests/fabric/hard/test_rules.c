@@ -164,6 +164,41 @@ static void test_impulses(void **state) {
     stage_end(&on);
 }
 
+/* Layers that are farther apart than the gap need no impulses until they move far enough. */
+static void test_apart_until_moved(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(7, 3, 0.1, 0.2, 3), cloth_scene());
+    double(*v)[3] = calloc((size_t)on.m.vertex_count, sizeof *v), work = 0;
+    static const double faster[] = {-0.15, -0.05, -1}; /* the upper layer's way: 3, 4, 24 mm */
+    for (int i = 0; i < on.m.vertex_count; i++)
+        if (on.m.position[i][0] > 0.35) { /* folds the right half over the left one */
+            on.m.position[i][0] = 0.71 - on.m.position[i][0];
+            on.m.position[i][2] = 0.006;
+        }
+    stage_begin(&on);
+    const movable of = {on.sim->cloth.mass, &on.sim->collisions};
+    const double(*x)[3] = (const double(*)[3])on.m.position;
+    self_collision s;
+    assert_int_equal(self_collision_init(&s, &on.m, 0.004, 0, 0.02), 0);
+    assert_int_equal(self_collision_find(&s, 0.02, x, (const double(*)[3])v), 0);
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < on.m.vertex_count; i++)
+            v[i][2] += x[i][2] > 0 ? faster[k] : 0;
+        const double largest = self_collision_push(&s, &of, 0.02, x, v, &work);
+        assert_true(k < 2 ? largest == 0 : largest > 0.5);
+    }
+    /* Nothing is known of the pairs of another search. */
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.m.position[i][2] /= 2;
+        v[i][0] = v[i][1] = v[i][2] = 0;
+    }
+    assert_int_equal(self_collision_find(&s, 0.02, x, (const double(*)[3])v), 0);
+    assert_true(self_collision_push(&s, &of, 0.02, x, v, &work) > 0);
+    self_collision_free(&s);
+    free(v);
+    stage_end(&on);
+}
+
 /* Parts of the cloth that are nearer than the gap move apart, but neighbours in flat cloth do not.
  * Edges are examined as well as vertices. */
 static void test_drawing_apart(void **state) {
@@ -405,6 +440,7 @@ int main(void) {
         cmocka_unit_test(test_cylinder_has_ends),
         cmocka_unit_test(test_friction_is_tangential),
         cmocka_unit_test(test_impulses),
+        cmocka_unit_test(test_apart_until_moved),
         cmocka_unit_test(test_drawing_apart),
         cmocka_unit_test(test_vertex_through_moving_triangle),
         cmocka_unit_test(test_ends_in_touch),

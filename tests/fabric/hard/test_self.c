@@ -60,6 +60,34 @@ static void test_edge_through_edge(void **state) {
     assert_in_range(passed, 500, 10000);
 }
 
+/* Features that stay apart along some line neither pass nor end near, whatever the line. */
+static void test_apart_is_sure(void **state) {
+    (void)state;
+    static const double distance = 0.05;
+    unsigned seed = 3;
+    int apart = 0;
+    for (int n = 0; n < 40000; n++) {
+        double start[4][3], end[4][3];
+        const double(*x)[3] = (const double(*)[3])start, (*y)[3] = (const double(*)[3])end;
+        self_contact nearest = {.weight = {0}}, found;
+        random_points(1, &seed, start);
+        for (int k = 0; k < 4; k++)
+            for (int a = 0; a < 3; a++)
+                end[k][a] = start[k][a] + 0.5 * random_number(&seed);
+        if (n % 4 < 2)
+            self_pair_ends_near(n % 2, x, x, INFINITY, &nearest);
+        for (int k = 0; k < 4 && n % 4 >= 2; k++)
+            nearest.weight[k] = 8 * random_number(&seed);
+        if (!self_pair_stays_apart(n % 2, x, y, nearest.weight, distance))
+            continue;
+        apart++;
+        assert_false(self_pair_passes(n % 2, x, y, &found));
+        assert_false(self_pair_ends_near(n % 2, x, y, distance, &found));
+        assert_false(self_pair_ends_near(n % 2, x, x, distance, &found));
+    }
+    assert_in_range(apart, 4000, 20000);
+}
+
 /* In every part of a step the grid finds the pairs that a comparison of all pairs of triangles
  * finds. */
 static void test_grid_misses_no_pair(void **state) {
@@ -279,6 +307,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_vertex_through_triangle),
         cmocka_unit_test(test_edge_through_edge),
+        cmocka_unit_test(test_apart_is_sure),
         cmocka_unit_test(test_not_finite_is_refused),
         cmocka_unit_test(test_grid_misses_no_pair),
         cmocka_unit_test(test_momentum_stays),

@@ -47,6 +47,19 @@ static void test_a_domain_awaits_all_neighbours(void **state) {
     }
 }
 
+/* Long sleeps end the spinning, and short ones bring it back. */
+static void test_spins_return(void **state) {
+    (void)state;
+    int spins = DOMAIN_TURN_MOST_SPINS;
+    assert_int_equal(domain_turn_next_spins(spins, 1e-5), spins);
+    for (int n = 0; n < 20; n++)
+        spins = domain_turn_next_spins(spins, 4e-3);
+    assert_int_equal(spins, 1);
+    for (int n = 0; n < 20; n++)
+        spins = domain_turn_next_spins(spins, 1e-5);
+    assert_int_equal(spins, DOMAIN_TURN_MOST_SPINS);
+}
+
 /* A chain of vertices in five domains. Each domain shares blocks with the next one, and the first
  * shares one with the fourth. */
 static void test_neighbours_share_blocks(void **state) {
@@ -75,6 +88,7 @@ static void test_neighbours_share_blocks(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_domain_awaits_all_neighbours),
+        cmocka_unit_test(test_spins_return),
         cmocka_unit_test(test_neighbours_share_blocks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -73,6 +73,27 @@ static void free_cores_are_all_used(void **state) {
     }
 }
 
+/* Trials of fewer threads become rarer while they fail, and are soon made again once rounds have
+ * become much slower. */
+static void failed_trials_become_rare(void **state) {
+    (void)state;
+    machine m = {.speed = {1.9, 1}};
+    team t;
+    int trials[2] = {0, 0};
+    team_start(&t, 2, 0);
+    for (int n = 0; n < 600; n++) {
+        take_rounds(&t, &m, 1);
+        assert_int_equal(team_threads(&t), 2);
+        trials[n >= 300] += t.trial != t.level;
+    }
+    print_message("%d trials, then %d\n", trials[0], trials[1]);
+    assert_in_range(trials[0], 2, 4);
+    assert_in_range(trials[1], 1, 3);
+    m.speed[0] = 0.8;
+    take_rounds(&t, &m, 12);
+    assert_int_equal(team_threads(&t), 1);
+}
+
 static void the_fastest_count_is_found(void **state) {
     (void)state;
     machine m = {.speed = {1.2, 1.4, 1.5, 1.3, 1}}; /* 16, 8, 4, 2 and 1 threads */
@@ -157,6 +178,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_thread_leaves_nothing_to_choose),
         cmocka_unit_test(free_cores_are_all_used),
+        cmocka_unit_test(failed_trials_become_rare),
         cmocka_unit_test(the_fastest_count_is_found),
         cmocka_unit_test(beside_neighbours_one_thread_is_kept),
         cmocka_unit_test(neighbours_that_come_and_go_are_noticed),
