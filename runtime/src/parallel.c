@@ -68,7 +68,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (!attempt)
         return 0;
     redcc_loop *loop = &site->binned.loop;
-    if (loop->flags & REDCC_SHORT && !(loop->flags & REDCC_SECTIONED) &&
+    if (loop->flags & REDCC_SHORT && !(loop->flags & (REDCC_SECTIONED | REDCC_UNORDERED)) &&
         !redcc_is_worth_entering(attempt->trip))
         return 0;
     const redcc_linkage *const linkage = attempt->linkage;
@@ -91,7 +91,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (redcc_enter_sectioned(&shared.call, loop, rest->trip, rest->bases, rest->known, rest->key,
                               sections, threads_of(loop, rest), redcc_region_is_nested()))
         redcc_region_run(shared.call.threads, work, &shared);
-    if (!redcc_leave(&shared.call)) {
+    const int done = redcc_leave(&shared.call);
+    if (!done) {
         if (!beginning.done) {
             redcc_operands_free_all(attempt);
             return 0;
@@ -99,5 +100,5 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         redcc_end_in_order(site, attempt, member, context, beginning.done);
     }
     redcc_sequential_done(loop);
-    return 1;
+    return done ? done : 1;
 }

@@ -12,7 +12,9 @@
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
+#include "plan/sections.h"
 #include "plan/tiles.h"
+#include "plan/work.h"
 
 /** The operator's name in the runtime. If the order of an array's updates is preserved, the runtime
  * makes no private copies and ignores the operator. */
@@ -181,11 +183,10 @@ static bool skips_inner_iterations(const loop_plan *plan) {
 }
 
 /** May the runtime execute the first iterations in order and time them? False for a loop with
- * tiles, because the runtime tries tiles without a sample. False with sections, because these give
- * the results of another order. */
+ * tiles, because the runtime tries tiles without a sample. False with sections, or copies in a
+ * fixed order, because these give the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
-    return loop->plan->execution.may_begin && !loop->outline.tile_call &&
-           !loop->plan->execution.sections;
+    return loop->plan->execution.may_begin && !loop->outline.tile_call && !is_reordered(loop->plan);
 }
 
 static const char *flags_text(loop_text *loop) {
@@ -214,8 +215,12 @@ static const char *flags_text(loop_text *loop) {
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},
+                 {is_reordered(loop->plan) && !loop->facts->has_short_iterations &&
+                      loop->plan->execution.work >= WORK_LONG,
+                  "REDCC_LONG"},
                  {loop->facts->variables.openmp != NULL, "REDCC_TEAM"},
                  {loop->plan->execution.sections != NULL, "REDCC_SECTIONED"},
+                 {loop->bins && loop->plan->execution.is_unordered, "REDCC_UNORDERED"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)

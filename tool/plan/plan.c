@@ -60,6 +60,9 @@ static void plan_form(loop_plan *plan) {
         plan->no_bins = "the loop has live-out variables as well as updates";
     else
         plan_bins(plan);
+    plan->execution.is_unordered = plan_is_unordered(plan);
+    if (plan->execution.is_unordered && plan->execution.order == ORDER_SERIAL)
+        plan->execution.order = ORDER_FIXED;
     plan->no_lanes = plan_lanes(plan);
     plan_tiles(plan);
     if (!facts->inspector.exists && !plan->bins) {

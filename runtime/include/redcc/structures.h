@@ -205,7 +205,12 @@ enum {
     /** The first iterations may be executed by owners and the remaining ones in order, because no
      *  value that an update might change is read before the loop or kept until its end. So threads
      *  may find out during the execution (REDCC_SELECT) which iteration first leaves a fence. */
-    REDCC_FENCED = 268435456
+    REDCC_FENCED = 268435456,
+    /** With REDCC_BINNED: OpenMP's directives leave the order of the updates open, and all updates
+     *  may be made on private copies. So the loop may be executed in a fixed order. */
+    REDCC_UNORDERED = 536870912,
+    /** An iteration has an inner loop of many hundred operations. */
+    REDCC_LONG = 1073741824
 };
 
 enum {
@@ -328,8 +333,8 @@ typedef struct redcc_tile {
 typedef struct redcc_variant {
     int prefetches; /**< are rows of later iterations prefetched? */
     int lanes;      /**< number of iterations executed at once (REDCC_LANES_UNIT); 0: one by one */
-    int follows; /**< 1: in owner-checked iterations, another thread stores the operands of series
-                  */
+    int follows; /**< 1: in owner-checked iterations, another thread stores the operands of series.
+                    2: operands are added up in blocks (REDCC_ADD_OPERAND) */
     const redcc_tile *tile; /**< after REDCC_TILE: the tile to execute */
 } redcc_variant;
 
