@@ -3,7 +3,7 @@
 set(FABRIC_PHYSICS_SOURCES)
 foreach(source
     step/simulation.c step/team.c step/simulation_state.c step/simulation_archive.c step/integrator.c step/newton.c step/forces.c contact/motion.c contact/collision.c contact/pin.c contact/shape.c system/constraint.c solver/solver.c solver/solver_precondition.c
-    solver/solver_factor.c solver/solver_domains.c solver/solver_domains_layout.c solver/solver_domains_passes.c solver/solver_packed.c solver/solver_direct.c solver/solver_fallback.c
+    solver/solver_factor.c solver/solver_domains.c solver/solver_domains_layout.c solver/solver_domains_passes.c solver/solver_domains_turns.c solver/solver_packed.c solver/solver_direct.c solver/solver_fallback.c
     system/system.c system/sparse_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
     effects/drag.c effects/drag_work.c effects/damping.c

@@ -117,7 +117,7 @@ void redcc_inform_auto(struct loop_state *state, const redcc_loop *loop,
 static void account_refused(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
-    const redcc_int trip = execution->call.request.trip;
+    const redcc_int trip = execution->call.request.asked;
     if (execution->reason == REASON_OVERLAP) {
         count_overlap(execution);
         note_mode(statistics, MODE_SEQUENTIAL);
@@ -181,7 +181,7 @@ static void inform_auto(struct execution *execution, double now) {
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),
-                                    .trip = plan->trip,
+                                    .trip = execution->call.request.asked,
                                     .seconds = now - (built ? ready : entered),
                                     .set_up = built ? ready - entered : 0};
     redcc_inform_auto(state, execution->call.request.loop, &outcome, REASON_NONE);

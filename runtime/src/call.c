@@ -151,7 +151,7 @@ static void end(struct loop_state *state) {
 static void take_request(struct request *request, redcc_int trip, void *const *bases,
                          const redcc_extent *known, const redcc_word *key) {
     const redcc_loop *loop = request->loop;
-    request->trip = trip;
+    request->trip = request->asked = trip;
     memcpy(request->bases, bases, loop->array_count * sizeof *bases);
     if (loop->source_count)
         memcpy(request->known, known, loop->source_count * sizeof *known);
@@ -168,7 +168,8 @@ static bool may_be_fixed(const redcc_loop *loop, const struct settings *settings
 /* Is the loop executed in shares with private copies? What earlier executions have found may be
  * read before the state is acquired: no other thread executes such a loop (redcc_is_alone). */
 static bool goes_in_shares(redcc_loop *loop, const struct settings *settings, redcc_int trip) {
-    if (!(loop->flags & REDCC_UNORDERED) || !redcc_binned_of(loop))
+    const redcc_binned *binned = redcc_binned_of(loop);
+    if (!binned || !binned->is_unordered)
         return false;
     const struct loop_state *state = redcc_made_state_of(loop);
     return (state ? redcc_bins_shares(&state->binning, trip, settings->memory_limit)
@@ -404,7 +405,8 @@ static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *
     enum reason reason;
     /* fails if another thread is executing the loop */
     if (state && redcc_loop_acquire(state, loop, false, &reason)) {
-        redcc_note_sequential(&state->reported.statistics, trip, seconds);
+        redcc_note_sequential(&state->reported.statistics, trip < REDCC_OPEN_TRIP ? trip : 0,
+                              seconds);
         redcc_inform_auto(state, loop,
                           &(struct outcome){.result = RESULT_SEQUENTIAL,
                                             .trip = trip,
@@ -614,7 +616,7 @@ int redcc_end(redcc_call *call) {
     const bool done = redcc_account(execution), asks_auto = !execution->call.method;
     /* when a loop is repeated for validation, its operands are stored in the order of the loop */
     const bool fixed = redcc_is_fixed(&execution->call) && execution->run.executed == 0;
-    const redcc_int trip = execution->call.request.trip;
+    const redcc_int trip = execution->call.request.asked;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
         const bool goes_without = redcc_keeps_owners(execution) && !(plan && plan->method->tiles);

@@ -45,7 +45,7 @@ struct execution {
 /** Does the loop keep the owners of this execution for the next one, instead of a plan? */
 static inline bool redcc_keeps_owners(const struct execution *execution) {
     const struct call *call = &execution->call;
-    return call->method ? call->method->selects && call->request.loop->flags & REDCC_FENCED
+    return call->method ? call->method->selects && redcc_may_be_fenced(call->request.loop)
                         : redcc_goes_directly(&execution->advice);
 }
 

@@ -68,8 +68,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (!attempt)
         return 0;
     redcc_loop *loop = &site->binned.loop;
-    if (loop->flags & REDCC_SHORT && !(loop->flags & (REDCC_SECTIONED | REDCC_UNORDERED)) &&
-        !redcc_is_worth_entering(attempt->trip))
+    if (loop->flags & REDCC_SHORT && !(loop->flags & REDCC_SECTIONED) &&
+        !site->binned.is_unordered && !redcc_is_worth_entering(attempt->trip))
         return 0;
     const redcc_linkage *const linkage = attempt->linkage;
     if (linkage && !redcc_are_linked(linkage->called, linkage->count, linkage->expected,
@@ -99,6 +99,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         }
         redcc_end_in_order(site, attempt, member, context, beginning.done);
     }
+    if (loop->flags & REDCC_CONTINUES && attempt->made)
+        *attempt->made = shared.call.trip;
     redcc_sequential_done(loop);
     return done ? done : 1;
 }

@@ -69,7 +69,7 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
 static bool has_fences(struct execution *execution) {
     const struct call *call = &execution->call;
     const struct request *request = &call->request;
-    return redcc_keeps_owners(execution) && request->loop->flags & REDCC_FENCED &&
+    return redcc_keeps_owners(execution) && redcc_may_be_fenced(request->loop) &&
            execution->inspection.partition.share > 0 && !call->compensated &&
            !execution->run.validated && !redcc_may_be_tiled(&execution->inspection) &&
            !redcc_may_have_aliases() &&
@@ -121,7 +121,8 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 }
 
 static enum stage after_dry_run(struct execution *execution) {
-    const enum reason reason = redcc_dry_run_finish(&execution->inspection);
+    const enum reason reason =
+        redcc_dry_run_finish(&execution->inspection, &execution->call.request.trip);
     execution->inspection.pace.deadline = 0;
     if (reason == REASON_DEADLINE) /* the deadline passed before a strategy was chosen */
         execution->inspection.route = ROUTE_SERIAL;
@@ -267,6 +268,9 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
                                        &inspection->partition, touched, call->compensated);
     execution->run.plan = plan;
     summarise(inspection);
+    if (method->selects && !(call->request.loop->flags & REDCC_DRY_RUN))
+        redcc_survey_begin(&execution->run.survey, call->request.trip, call->threads,
+                           &execution->barrier);
     if (plan && inspection->route == ROUTE_DIRECT)
         redcc_plan_take_votes(plan, &inspection->partition, touched);
     if (plan && inspection->route == ROUTE_GRAPH &&
@@ -294,7 +298,7 @@ static enum stage choose_method(struct execution *execution) {
     if (reason != REASON_NONE)
         return refuse(execution, reason);
     const struct request *request = &execution->call.request;
-    if (method->selects && request->loop->flags & REDCC_FENCED)
+    if (method->selects && redcc_may_be_fenced(request->loop))
         redcc_fences_learn(&execution->run.fences, request->loop, request->bases, request->known,
                            inspection->touched, inspection->sources);
     return begin_plan(execution, method);

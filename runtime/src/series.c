@@ -7,7 +7,9 @@
  *
  * If memory runs out during the loop, the original loop cannot run, because the arrays are already
  * written. But only operands are lost, and they do not depend on the loop's updates: executing all
- * iterations again, without owning any element, reproduces them.
+ * iterations again, without owning any element, reproduces them. The same is done if an iteration
+ * leaves a fence (ownership/fences.h), because the operands of later iterations may depend on
+ * updates.
  */
 #include "series.h"
 
@@ -157,10 +159,12 @@ int redcc_series_repeats(redcc_worker *worker, redcc_series_writer *writers, red
     if (writers[0].adds && !writers[0].in_front)
         return redcc_run_again(worker);
     redcc_barrier_wait(thread->runner.run->barrier, thread->threads);
-    if (thread->thread > 0 || !any_is_lost(writers, count))
+    const bool has_rest = redcc_run_has_rest(worker);
+    if (thread->thread > 0 || !(has_rest || any_is_lost(writers, count)))
         return 0;
     for (redcc_u32 i = 0; i < count; i++) {
-        writers[i].adds = writers[i].begins = 1;
+        writers[i].adds = 1;
+        writers[i].begins = has_rest ? 2 : 1;
         writers[i].in_front = 0;
         writers[i].at = writers[i].end = writers[i].block_end = NULL;
     }

@@ -19,7 +19,8 @@ void redcc_series_join(redcc_series_writer *writer, redcc_series *series);
 int redcc_series_room(redcc_series_writer *writer, redcc_int k);
 
 /** Called by each thread, with all series of the loop, until it returns 0. If operands were lost,
- * hands out all iterations again to the first thread and returns 1, as redcc_next does. */
+ * or an iteration has left a fence, hands out all iterations again to the first thread and returns
+ * 1, as redcc_next does. */
 int redcc_series_repeats(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 /** Returns 1 to the first thread once the loop is done and all operands are stored; 0 to other

@@ -15,11 +15,12 @@ static const double least_seconds = LEARN_WAKES * LEARN_SAMPLE / 40;
  * with this time. Before that, no inspection could pay off. */
 static const double enough = 12.5 * LEARN_SAMPLE;
 
+/* Layout of the word in loop->state: the lowest bit is 1, which distinguishes the word from a
+ * pointer. The fields of struct word follow in order, with these numbers of bits. */
 enum {
-    SIZE_BITS = 7,    /* number of bits of the word's field `size`. This field is next to the lowest
-                         bit, which is 1 */
-    NUMBER_BITS = 12, /* number of bits of `left`, and of `length` */
-    EARNED_BITS = 13  /* number of bits of `earned` */
+    SIZE_BITS = 7,
+    NUMBER_BITS = 12, /* `left` and `length`, each */
+    EARNED_BITS = 13
 };
 
 _Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");

@@ -58,21 +58,6 @@ static void opaque(int n) {
 #endif
 }
 
-#define TWO_UPDATES(h, g, k) h[k]++; g[k]--
-
-static void two_statements_of_a_macro(int n) {
-#ifdef BEFORE
-    for (int t = 0; t < n; t++) { // BEFORE: text
-        TWO_UPDATES(h, g, s[t]);
-    }
-#else
-    for (int t = 0; t < n; t++) { // EXPECT: transformed
-        h[s[t]]++;
-        g[s[t]]--;
-    }
-#endif
-}
-
 #ifndef BEFORE
 struct pair { double a, b; };
 #endif
@@ -183,7 +168,6 @@ int main(void) {
         in_macro(N);
         directive_in_range(N);
         opaque(N);
-        two_statements_of_a_macro(N);
         type_of_the_function(N);
         type_without_a_name(N);
         array_of_variable_length(N, ROWS);

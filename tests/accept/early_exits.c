@@ -7,10 +7,9 @@
 #include <assert.h>
 #include <signal.h>
 #include <stdlib.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "case.h"
+#include "child.h"
 
 enum { N = 2500, M = 300 };
 static int k[N + 4];
@@ -215,19 +214,6 @@ static void at_abort(int number) {
     exit(0);
 }
 
-/* Runs in a child process, since an exit or an abort ends the process. */
-static void run_in_child(const char *name) {
-    const pid_t child = fork();
-    int status = 0;
-    if (child == 0) {
-        run(name);
-        _exit(0);
-    }
-    waitpid(child, &status, 0);
-    printf("%s: %d\n", name, status);
-    fflush(stdout);
-}
-
 int main(void) {
     static const int places[] = {0, N / 2, N - 1};
     case_subscripts(k, N, M);
@@ -247,13 +233,13 @@ int main(void) {
         w[at] = value;
     }
     limit = M - 2;
-    run_in_child("exit");
+    run_in_child(run, "exit");
     limit = 1 << 30;
     k[N / 3] = -200;
-    run_in_child("assertion");
+    run_in_child(run, "assertion");
     k[N / 3] = 0;
     most = N / 2;
-    run_in_child("assertion in a function");
+    run_in_child(run, "assertion in a function");
     most = N;
     run("none leaves in the end");
     most = N / 2;

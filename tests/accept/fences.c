@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// DIRECTLY: 1 2 3 16 33
 // INTEGERS: no
 // METHODS: pseudo-expansion
 // MAY-RUN-SERIALLY: expected where reads overlap updates
@@ -115,9 +116,10 @@ static void fill(void) {
 /* One execution of each loop. stray: the iteration that leaves the arrays; N: none. */
 static void each(int stray) {
     fill();
+    const int later = stray < N / 2 ? N / 2 : 5;
     if (stray < N - 10) { /* makes a later subscript valid */
-        map[k[stray]] = N + stray + 5;
-        k[stray + 5] -= FAR;
+        map[k[stray]] = N + stray + later;
+        k[stray + later] -= FAR;
     }
     through_a_map(N, count, map, k, FAR);
     fill();

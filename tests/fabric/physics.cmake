@@ -16,7 +16,7 @@ target_include_directories(fabric_stage PUBLIC hard)
 target_link_libraries(fabric_stage PUBLIC fabric_physics_tests fabric_physics
                       PRIVATE redcc_warnings)
 
-foreach(name forces system solver collision simulation integrator team barrier)
+foreach(name forces system solver domains collision simulation integrator team barrier)
   add_executable(test_fabric_${name} physics/test_${name}.c)
   target_link_libraries(test_fabric_${name} PRIVATE fabric_physics fabric_physics_tests
                         redcc_warnings)

@@ -162,8 +162,56 @@ static void valid_under_a_condition(kernel *k) {
     put(k, &k->body, "}\n");
 }
 
+/* A function that checks its arguments, then updates an element. If a check fails it returns an
+ * error, prints, or ends the program, and the loop may test its result. */
+static void checked_update(kernel *k) {
+    static const char *const failures[] = {"return -1;", "printf(\"%d\\n\", i);\n        return 2;",
+                                           "printf(\"%d\\n\", i);\n        return 0;",
+                                           "fuzz_fail();"};
+    const char *name = new_name(k, "checked"), *function = new_name(k, "function");
+    const char *e = new_name(k, "e"), *failure = failures[below(k, LENGTH(failures))];
+    const bool is_never = failure == failures[3];
+    put(k, &k->globals, "int printf(const char *, ...);\nstatic double %s[%d];\n", name,
+        k->elements);
+    put(k, &k->globals, "static int %s(double *a, int n, int i, double x, int rare) {\n", function);
+    put(k, &k->globals, "    if (!a || i < 0 || i >= n%s) {\n        %s\n    }\n",
+        is_never ? "" : " || rare", failure);
+    if (chance(k, 25))
+        put(k, &k->globals, "    if (x < %d)\n        return 0;\n", -below(k, 3));
+    if (chance(k, 10)) /* a check of what is updated */
+        put(k, &k->globals, "    if (a[i] > 1000)\n        return 3;\n");
+    put(k, &k->globals, "    a[i] %s damp(x);\n    (void)rare;\n    return 0;\n}\n",
+        chance(k, 50) ? "+=" : "-=");
+    put(k, &k->body, "int %s;\n", e);
+    const char *call = text(k, "%s(%s, %d, (int)(%s) & %d, %s, %s)", function, name, k->elements,
+                            subscript(k), k->elements - 1, value(k, 0), rare_condition(k));
+    switch (below(k, 4)) {
+    case 0:
+        put(k, &k->body, "%s = 0;\n%s;\n", e, call);
+        break;
+    case 1:
+        put(k, &k->body, "%s = 1;\nif (%s) {\n", e, call);
+        break;
+    case 2:
+        put(k, &k->body, "if ((%s = %s) < 0) {\n", e, call);
+        break;
+    default:
+        put(k, &k->body, "%s = %s;\nif (%s) {\n", e, call, e);
+    }
+    if (k->body.data[k->body.length - 2] == '{') {
+        k->scope.depth++;
+        put_departure(k);
+        k->scope.depth--;
+        put(k, &k->body, "}\n");
+    }
+    put(k, &k->body, "(void)%s;\n", e);
+    put(k, &k->after, "    fuzz_print(\"%s\", %s, sizeof %s);\n", name, name, name);
+}
+
 void leave_or_look(kernel *k) {
     static void (*const kinds[])(kernel * k) = {leaves,
+                                                checked_update,
+                                                checked_update,
                                                 leaves,
                                                 leaves,
                                                 leaves_from_inside,

@@ -18,10 +18,9 @@ void stack_memory(int n, const int *k, int *h) {
 
 void trapping(int n, const int *k, int *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse no-return
-        if (k[t] < 0)
+        while (k[t] < 0)
             __builtin_trap();
-        else
-            h[k[t]] += 1;
+        h[k[t]] += 1;
     }
 }
 

@@ -151,16 +151,6 @@ void global_counter(int n, const int *k, double *h) {
         h[k[global_t]] += 1.0;
 }
 
-void while_with_break(int n, const int *k, double *h) {
-    int t = 0;
-    while (t < n) { // EXPECT: nothing
-        h[k[t]] += 1.0;
-        if (k[t] == 3)
-            break;
-        t++;
-    }
-}
-
 void while_increment_skipped(int n, const int *k, double *h) {
     int t = 0;
     while (t < n) { // EXPECT: nothing

@@ -39,10 +39,12 @@ void by_results(int n, const int *k, double *h, const double *v) {
     }
 }
 
+void next(int);
+
 void by_values(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
         if (unlike(t) == 2)
-            printf("%d\n", t);
+            next(t);
         else
             h[k[t]] += v[t];
     }
@@ -63,7 +65,7 @@ void by_conversion(int n, const int *k, double *h, const double *v) {
         if (wraps(t) == -1)
             h[k[t]] += 1.0;
         else
-            puts("255");
+            next(255);
         h[k[t]] += v[t];
     }
 }

@@ -80,9 +80,10 @@ void always(int n, const int *k, double *h, const double *v) {
 void one_or_the_other(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
         if (v[t] < 0)
-            h[k[t]] += v[t];
-        else
             fprintf(stderr, "iteration %d\n", t);
+        else
+            fprintf(stderr, "iteration %d: %g\n", t, v[t]);
+        h[k[t]] += v[t];
     }
 }
 

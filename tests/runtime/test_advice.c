@@ -512,7 +512,7 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(fetched[WAY_GRAPH].set_up == it[WAY_GRAPH].set_up);
     findings = shuffled;
     /* an inspection evaluates the slice once per iteration; binning may do so, too */
-    findings.slice = 100e-9;
+    findings.slice.recorded = 100e-9;
     redcc_estimate_arms(&findings, fetched);
     assert_true(fetched[WAY_INDEX].set_up > it[WAY_INDEX].set_up + 2e-3);
     assert_true(fetched[WAY_GRAPH].set_up > it[WAY_GRAPH].set_up + 2e-3);

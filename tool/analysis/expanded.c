@@ -45,6 +45,10 @@ static bool put_back(const analysis_result *analysed, const expanded_list *calls
     return has_changed;
 }
 
+static bool is_about_call(reason_id why) {
+    return why == REASON_CALLEE_UPDATES || why == REASON_IMPURE_CALL || why == REASON_NO_RETURN;
+}
+
 /* Adds to the message about a call the reason why the loop is refused with the body in its place.
  */
 static void explain(arena *a, const analysis_result *expanded, analysis_result *analysed) {
@@ -52,10 +56,10 @@ static void explain(arena *a, const analysis_result *expanded, analysis_result *
     for (unsigned i = 0; i < analysed->verdict_count; i++) {
         verdicts[i] = analysed->verdicts[i];
         for (unsigned k = 0; k < expanded->verdict_count; k++)
-            if (verdicts[i].why.id == REASON_CALLEE_UPDATES &&
+            if (is_about_call(verdicts[i].why.id) &&
                 expanded->verdicts[k].loop == verdicts[i].loop &&
                 expanded->verdicts[k].kind == VERDICT_REFUSE &&
-                expanded->verdicts[k].why.id != REASON_CALLEE_UPDATES)
+                !is_about_call(expanded->verdicts[k].why.id))
                 verdicts[i].why.message =
                     arena_format(a, "%s (in its body: %s)", verdicts[i].why.message,
                                  expanded->verdicts[k].why.message);

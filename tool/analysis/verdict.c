@@ -8,6 +8,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
 #include "analysis/base/loop_loads.h"
+#include "analysis/base/open_loop.h"
 #include "analysis/base/openmp_loop.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
@@ -356,6 +357,20 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
     return found;
 }
 
+/* Analyses a loop whose end only its data tell. Iterations must be long, because one thread first
+ * evaluates the conditions of all of them. */
+static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
+    const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
+    const loop_exits *exits = open_loop_find(an->memory, function, loop);
+    if (!exits)
+        return none;
+    loop_exits_take_out(exits);
+    const bool is_short = candidate_is_short(an->unit, exits->open->block);
+    const loop_verdict found = is_short ? none : analysed(an, function, loop, NULL, exits, NULL);
+    loop_exits_put_back(exits);
+    return found.kind == VERDICT_TRANSFORM ? found : none;
+}
+
 static bool is_about_leaving(reason_id why) {
     return why == REASON_BREAK || why == REASON_RETURN || why == REASON_GOTO ||
            why == REASON_NO_RETURN || why == REASON_IMPURE_CALL || why == REASON_OPAQUE;
@@ -366,14 +381,18 @@ static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_nod
         analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
     if (found.kind != VERDICT_REFUSE)
         return found;
-    if (is_about_leaving(found.why.id)) {
-        const loop_verdict staying = analysed_staying(an, function, loop);
-        if (staying.kind != VERDICT_NOT_A_REDUCTION)
-            return staying.kind == VERDICT_TRANSFORM ||
-                           (staying.facts->counted.counter && !is_about_leaving(staying.why.id))
-                       ? staying
-                       : found;
+    const bool may_leave = is_about_leaving(found.why.id);
+    const loop_verdict staying = may_leave ? analysed_staying(an, function, loop) : found;
+    if (staying.why.id == REASON_TRIP_COUNT) {
+        const loop_verdict open = analysed_open(an, function, loop);
+        if (open.kind == VERDICT_TRANSFORM)
+            return open;
     }
+    if (may_leave && staying.kind != VERDICT_NOT_A_REDUCTION)
+        return staying.kind == VERDICT_TRANSFORM ||
+                       (staying.facts->counted.counter && !is_about_leaving(staying.why.id))
+                   ? staying
+                   : found;
     const loop_verdict rest = analysed_without(an, function, loop);
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }

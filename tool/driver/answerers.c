@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/answerers.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,7 @@ const store *answerers_store(const session *s) {
 }
 
 const digest *answerers_identity(const session *s, cache_program program) {
+    assert(program <= CACHE_COMPILER);
     const struct cache *c = s->cache;
     return program == CACHE_COMPILER ? &c->compiler : &c->translator;
 }

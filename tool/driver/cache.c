@@ -248,6 +248,7 @@ bool cached_restore(session *s, cached *c, const cached_run *run, int *status) {
 void cached_keep(session *s, cached *c, const cached_run *run, int status) {
     if (!is_lasting(s, run, status))
         return;
+    assert(status == 0 || status == 1);
     kept_answer answer = {.key = c->asked, .count = PARTS};
     answer.parts[0] = (store_part){arena_format(s->memory, "%d", status), 1};
     for (unsigned i = 0; i < OUTPUTS; i++) {

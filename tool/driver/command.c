@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/command.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "driver/files.h"
@@ -82,6 +83,7 @@ static unsigned meaning_with_argument(const option *found, const item *i) {
 }
 
 static item read_option(const word_list *words, unsigned *next) {
+    assert(*next < words->count);
     item i = {words->items[*next], NULL, 0, INPUT_NOT, NULL};
     ++*next;
     const option *found = option_find(i.text);
@@ -143,6 +145,7 @@ command command_parse(arena *a, const word_list *words, bool c_is_cxx) {
     }
     for (unsigned i = 0; i < items.count; i++)
         count_item(&c, &items.items[i]);
+    assert(c.compiled + c.linked <= items.count);
     c.items = items.items;
     c.count = items.count;
     c.compiles = c.compiled > 0 && !(c.meaning & OPTION_NO_OBJECT);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A source's includes, from the files that -M and -MD write. The translated text is compiled from
- * another folder than the source; equal lists prove that the compiler still read the same headers.
+ * another folder than the source. If the lists of both are equal, the compiler read the same
+ * headers for both.
  */
 #ifndef DRIVER_DEPENDENCIES_H
 #define DRIVER_DEPENDENCIES_H

@@ -40,6 +40,7 @@ mix(uint64_t *v, unsigned a, unsigned b, unsigned c, unsigned d, uint64_t x, uin
 
 static void compress(digester *d, const unsigned char *block, uint64_t is_last) {
     uint64_t v[16], m[16];
+    static_assert(sizeof m == sizeof d->block, "a block is 16 words");
     memcpy(m, block, sizeof m);
     for (unsigned i = 0; i < 16; i++)
         m[i] = le64toh(m[i]);
@@ -75,6 +76,7 @@ digester digest_begin(void) {
 void digest_add(digester *d, const void *bytes, size_t count) {
     const unsigned char *at = bytes;
     assert(bytes || count == 0);
+    assert(d->filled <= sizeof d->block);
     while (count > 0) {
         if (d->filled == sizeof d->block) { /* the last block is compressed only at the end */
             d->length += d->filled;

@@ -136,10 +136,11 @@ static char *logical_line(arena *a, const char *text, const char *at) {
 }
 
 static bool is_same_for_all_versions(const char *expression) {
+    const int last_minor = strstr(expression, "__GNUC_MINOR__") ? LAST_MINOR : 0;
     const condition_value clang =
         condition_evaluate(expression, (condition_version){CLANG_MAJOR, CLANG_MINOR, true});
     for (int major = FIRST_MAJOR; major <= LAST_MAJOR; major++)
-        for (int minor = 0; minor <= LAST_MINOR; minor++) {
+        for (int minor = 0; minor <= last_minor; minor++) {
             const condition_value gcc =
                 condition_evaluate(expression, (condition_version){major, minor, false});
             if (!condition_equal(&clang, &gcc))

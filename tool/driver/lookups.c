@@ -187,6 +187,7 @@ static bool is_found(arena *a, const char *folder, const char *name, const ident
 
 bool lookups_hold(arena *a, const store_part *part,
                   void (*found)(void *data, const struct stat *about), void *data) {
+    assert(part->length >= sizeof(int64_t));
     const char *at = part->bytes;
     for (int64_t folders = read_number(&at); folders > 0; folders--) {
         struct stat about;

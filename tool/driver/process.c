@@ -70,6 +70,7 @@ static _Noreturn void run_child(char **argv, process_streams streams, const sigs
 }
 
 int process_run(arena *a, const word_list *words, process_streams streams) {
+    assert(child == 0);
     assert(words->count > 0);
     char **argv = words_argv(a, words);
     sigset_t caught, before;
@@ -86,15 +87,18 @@ int process_run(arena *a, const word_list *words, process_streams streams) {
     pid_t pid = fork();
     if (pid == 0)
         run_child(argv, streams, &before);
-    child = pid;
+    child = pid > 0 ? pid : 0;
     sigprocmask(SIG_SETMASK, &before, NULL);
     if (pid < 0)
         return 127;
-    int status;
-    while (waitpid(pid, &status, 0) < 0)
-        if (errno != EINTR)
-            return 127;
+    int status = 0;
+    pid_t ended;
+    do
+        ended = waitpid(pid, &status, 0);
+    while (ended < 0 && errno == EINTR);
     child = 0;
+    if (ended < 0)
+        return 127;
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/project.h"
 
-#include <ctype.h>
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
@@ -125,8 +124,13 @@ typedef struct scanner {
     bool has_loop, has_update;
 } scanner;
 
+/* The functions of ctype.h would be a third of the work for all the project's files. */
+static bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
 static bool starts_name(char c) {
-    return isalpha((unsigned char)c) || c == '_';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
 static void skip_quoted(scanner *s) {
@@ -161,7 +165,7 @@ static bool is_word(const char *name, size_t length, const char *word) {
 
 static bool is_followed_by(const scanner *s, char c) {
     const char *at = s->at;
-    while (at < s->end && isspace((unsigned char)*at))
+    while (at < s->end && is_blank(*at))
         at++;
     return at < s->end && *at == c;
 }
@@ -250,23 +254,26 @@ static void scan(arena *a, project_file *file, const char *text, size_t length) 
     bool begins_line = true;
     while (s.at < s.end) {
         const char c = *s.at;
-        if (skip_comment(&s))
+        if (is_blank(c)) {
+            begins_line |= c == '\n';
+            s.at++;
             continue;
-        if (c == '#' && begins_line) {
+        }
+        if (c == '/' && skip_comment(&s))
+            continue;
+        if (starts_name(c)) {
+            const char *word = s.at;
+            while (s.at < s.end && (starts_name(*s.at) || (*s.at >= '0' && *s.at <= '9')))
+                s.at++;
+            note_word(&s, word, (size_t)(s.at - word));
+        } else if (c == '#' && begins_line) {
             skip_line(&s);
         } else if (c == '"' || c == '\'') {
             skip_quoted(&s);
-        } else if (starts_name(c)) {
-            const char *word = s.at;
-            while (s.at < s.end && (isalnum((unsigned char)*s.at) || *s.at == '_'))
-                s.at++;
-            note_word(&s, word, (size_t)(s.at - word));
-        } else if (isspace((unsigned char)c)) {
-            s.at++;
         } else {
             scan_mark(&s);
         }
-        begins_line = c == '\n' || (begins_line && isspace((unsigned char)c));
+        begins_line = false;
     }
 }
 
@@ -351,7 +358,8 @@ word_list project_list(arena *a, const char *path) {
     return own[0] == '/' ? list_files(a, path_folder(a, own)) : (word_list){0};
 }
 
-project_scan project_scan_files(arena *a, const word_list *files) {
+/* Reads the files, with a digest of each if `has_digests`. */
+static project_scan scan_files(arena *a, const word_list *files, bool has_digests) {
     project_scan all = {0};
     for (unsigned i = 0; i < files->count; i++) {
         size_t length;
@@ -360,12 +368,17 @@ project_scan project_scan_files(arena *a, const word_list *files) {
             continue;
         project_file file = {.path = files->items[i]};
         digester d = digest_begin();
-        digest_text(&d, text);
+        if (has_digests)
+            digest_text(&d, text);
         file.contents = digest_end(&d);
         scan(a, &file, text, strlen(text));
         VECTOR_PUSH(a, &all, file);
     }
     return all;
+}
+
+project_scan project_scan_files(arena *a, const word_list *files) {
+    return scan_files(a, files, true);
 }
 
 project *project_from(arena *a, const char *path, const project_scan *files) {
@@ -380,7 +393,7 @@ project *project_from(arena *a, const char *path, const project_scan *files) {
 
 project *project_around(arena *a, const char *path) {
     const word_list list = project_list(a, path);
-    const project_scan files = project_scan_files(a, &list);
+    const project_scan files = scan_files(a, &list, false);
     return project_from(a, path, &files);
 }
 

@@ -51,7 +51,8 @@ project_scan project_scan_files(arena *a, const word_list *files);
 /** The project of a source, from its files. */
 project *project_from(arena *a, const char *path, const project_scan *files);
 
-/** Calls project_list, project_scan_files and project_from, one after the other. */
+/** Calls project_list, project_scan_files and project_from, one after the other. The files get no
+ *  digests, so project_digest must not be called. */
 project *project_around(arena *a, const char *path);
 
 /** A file other than the source that defines an external function of this name. Among several, the

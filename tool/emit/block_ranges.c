@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/block_ranges.h"
 
+#include <assert.h>
+
 #include "analysis/base/openmp_loop.h"
 #include "emit/macro_names.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 
 static const nested_blocks *inner_of(const loop_text *loop) {
+    assert(loop->facts->variables.blocks);
     return loop->facts->variables.blocks->inner;
 }
 
@@ -27,6 +30,7 @@ static const char *type_of(loop_text *loop, const counted_loop *counted) {
  * condition under which the bounds may be evaluated; NULL: always. */
 static void write_trip(loop_text *loop, writer *out, const counted_loop *counted, const char *of,
                        const char *guard) {
+    assert(counted->step != 0 && !counted->stride);
     const bool ascends = counted->step > 0;
     const char *lower = loop_operand(loop, counted->lower);
     const char *bound = loop_operand(loop, counted->bound);

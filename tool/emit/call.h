@@ -10,6 +10,9 @@
  *  redcc_site. */
 const char *write_trip_count(loop_text *loop, writer *out, const char *site);
 
+/** The counter's value after the iterations that were executed in parallel. */
+const char *counter_after(loop_text *loop);
+
 /** Writes the static objects that describe the loop (describe.c). */
 void write_description(loop_text *loop, writer *out);
 

@@ -191,6 +191,7 @@ static bool may_time_first_iterations(loop_text *loop) {
 
 static const char *flags_text(loop_text *loop) {
     const bool prefetches = loop->plan->prefetch.ahead > 0;
+    const bool is_fenced = loop->plan->execution.may_end_in_order;
     const struct {
         bool is_set;
         const char *name;
@@ -202,7 +203,9 @@ static const char *flags_text(loop_text *loop) {
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->facts->slice.may_abort, "REDCC_MAY_ABORT"},
                  {loop->facts->inspector.exists, "REDCC_SELECTS"},
-                 {loop->plan->execution.may_end_in_order, "REDCC_FENCED"},
+                 {is_fenced && !has_series(loop->facts), "REDCC_FENCED"},
+                 {is_fenced && has_series(loop->facts), "REDCC_FENCED_SERIES"},
+                 {loop->continues, "REDCC_CONTINUES"},
                  {!loop->facts->inspector.exists, "REDCC_NO_INSPECTOR"},
                  {loop->outline.tile_call, "REDCC_TILES"},
                  {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},
@@ -220,7 +223,6 @@ static const char *flags_text(loop_text *loop) {
                   "REDCC_LONG"},
                  {loop->facts->variables.openmp != NULL, "REDCC_TEAM"},
                  {loop->plan->execution.sections != NULL, "REDCC_SECTIONED"},
-                 {loop->bins && loop->plan->execution.is_unordered, "REDCC_UNORDERED"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
@@ -246,7 +248,8 @@ static void write_loop_object(loop_text *loop, writer *out) {
     writer_line(out, "  %u, %s,", loop->plan->source_count,
                 loop->plan->source_count > 0 ? outlined_name(loop, "sources") : "0");
     writer_line(out, "  %u, 0},", loop->plan->execution.key_count);
-    writer_line(out, " %u, %s},", loop->bins ? bins_stream_count(loop) : 0,
+    writer_line(out, " %u, %d, %s},", loop->bins ? bins_stream_count(loop) : 0,
+                loop->bins && loop->plan->execution.is_unordered,
                 loop->bins ? outlined_name(loop, "streams") : "0");
     writer_line(out, "0");
     out->depth--;

@@ -421,8 +421,19 @@ static void write_file(const file_text *f, emit_result *result) {
     }
 }
 
+static bool some_loop_is_written(const analysis_result *analysis) {
+    bool is_any = false;
+    for (unsigned i = 0; i < analysis->verdict_count; i++)
+        is_any |= verdict_is_written(&analysis->verdicts[i]);
+    return is_any;
+}
+
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
                       const plan_options *options) {
+    if (!some_loop_is_written(analysis))
+        return (emit_result){.text = unit->source->text,
+                             .length = unit->source->length,
+                             .obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1)};
     const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
     file_text file = {.arena = a,
                       .whole = unit,

@@ -40,7 +40,7 @@ typedef struct emit_result {
      * id is not. Such a loop is left unchanged. The message is NULL if the loop can be written. */
     const reason *obstacles;
     /* For each verdict, whether a form for several iterations at once was written, or why not.
-     * LANES_NOT_ASKED: no such form was requested. */
+     * LANES_NOT_ASKED: no such form was requested. NULL if no verdict's loop is to be written. */
     const lanes_outcome *lanes;
 } emit_result;
 

@@ -9,6 +9,7 @@
  * compares differently in an unsigned type than in redcc_int; if a variable stride is less than 1;
  * if a do loop has a single iteration because its first value does not satisfy the condition.
  */
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -103,6 +104,7 @@ typedef struct header {
 } header;
 
 static header header_of(arena *a, const counted_loop *counted) {
+    assert(counted->step != 0 && (!counted->stride || counted->step == 1 || counted->step == -1));
     header h = {
         .counted = counted, .counter = counted->counter->type, .bound = counted->bound->type};
     const integer_type common = common_type(promote(h.counter), promote(h.bound));
@@ -168,11 +170,22 @@ static const char *count_text(arena *a, const header *h) {
     return arena_format(a, h->inclusive ? "(%s) / %s + 1" : "(%s - 1) / %s + 1", span, h->stride);
 }
 
-static const char *final_text(arena *a, const header *h) {
+static const char *final_text(arena *a, const header *h, const char *count) {
     const char *sign = h->ascends ? "+" : "-";
     if (!h->stride)
-        return arena_format(a, "redcc__lower %s redcc__trip", sign);
-    return arena_format(a, "redcc__lower %s %s * redcc__trip", sign, h->stride);
+        return arena_format(a, "redcc__lower %s %s", sign, count);
+    return arena_format(a, "redcc__lower %s %s * %s", sign, h->stride, count);
+}
+
+const char *counter_after(loop_text *loop) {
+    const header h = header_of(loop->arena, &loop->facts->counted);
+    if (!loop->continues)
+        return "redcc__final";
+    const char *value = final_text(loop->arena, &h, "redcc__made");
+    return h.counted->steps_first /* the condition of the next iteration steps it again */
+               ? arena_format(loop->arena, "%s %c (redcc__made < redcc__trip)", value,
+                              h.ascends ? '-' : '+')
+               : value;
 }
 
 static const char *first_text(loop_text *loop, const header *h) {
@@ -216,8 +229,12 @@ static const char *bound_text(loop_text *loop, const header *h) {
 /** Writes the trip count. A variable stride is evaluated only if the loop would evaluate it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
+    const loop_exits *exits = loop->facts->slice.exits;
     if (!h->counted->stride) {
-        writer_line(out, "redcc__trip = %s ? %s : 0;", ends, count);
+        writer_line(out,
+                    exits && exits->open ? "redcc__trip = %s ? REDCC_OPEN(%s) : 0;"
+                                         : "redcc__trip = %s ? %s : 0;",
+                    ends, count);
         return;
     }
     writer_line(out, "redcc__stride = %s ? (redcc_int)%s : 0,", ends,
@@ -233,7 +250,8 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     require(&ends, "%s", comparison_text(&h));
     const bool counts_up =
         !h.stride && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
-    if (counts_up && !h.inclusive) {
+    const bool is_open = loop->facts->slice.exits && loop->facts->slice.exits->open;
+    if (counts_up && !h.inclusive && !is_open) {
         writer_line(out, "REDCC_COUNT_UP(%s, %s);",
                     macro_argument(loop->arena, lower_text(loop, &h)),
                     macro_argument(loop->arena, bound_text(loop, &h)));
@@ -249,10 +267,11 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
             loop->facts->has_short_iterations ? "_LIGHT" : "", site);
     const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
-    if (counts_up)
+    if (counts_up && !is_open)
         ; /* REDCC_COUNT_UP has declared redcc__final */
     else if (entry.text.length > before || has_affine_extents(loop) ||
-             counter_outlives(loop->facts))
-        writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
+             (counter_outlives(loop->facts) && !loop->continues))
+        writer_line(out, "const redcc_int redcc__final = %s;",
+                    final_text(loop->arena, &h, "redcc__trip"));
     return buffer_take(loop->arena, &entry.text);
 }

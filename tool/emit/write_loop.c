@@ -16,6 +16,7 @@
 #include "emit/body/scalars.h"
 #include "emit/call.h"
 #include "emit/context.h"
+#include "emit/continuation.h"
 #include "emit/crew.h"
 #include "emit/distribution.h"
 #include "emit/macro_names.h"
@@ -29,6 +30,8 @@
 
 static void write_execution(loop_text *loop, writer *out) {
     fill_context(loop, out);
+    if (loop->continues)
+        writer_line(out, "REDCC_MAY_CONTINUE;");
     writer_line(out, "redcc__done = REDCC_EXECUTED(%s, %s);", outlined_name(loop, "site"),
                 outlined_name(loop, "member"));
     write_distributed_stores(loop, out);
@@ -78,9 +81,11 @@ static void write_attempt(loop_text *loop, writer *out) {
 static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
-    if (counter_outlives(facts))
-        writer_line(out, "%s = (%s)redcc__final;",
-                    origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
+    const bool is_wanted = loop->continues && !facts->counted.counter_is_declared_in_header;
+    if (is_wanted || counter_outlives(facts))
+        writer_line(out, loop->continues ? "%s = (%s)(%s);" : "%s = (%s)%s;",
+                    origin_variable(loop->arena, facts->counted.counter), loop->counter_type,
+                    counter_after(loop));
     take_live_outs(loop, out);
     write_stepped_values(loop, out);
     take_conditional_live_outs(loop, out);
@@ -156,7 +161,9 @@ static const char *write_loads(loop_text *loop, writer *out) {
     return all;
 }
 
-static void write_parallel_form(loop_text *loop, writer *out) {
+/** Writes the parallel form. Returns where the text of the original loop that is still to be
+ * written begins; the loop's text begins at `begin`. */
+static uint32_t write_parallel_form(loop_text *loop, writer *out, uint32_t begin) {
     open_block(loop, out);
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
@@ -168,6 +175,10 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     declare_live_outs(loop, out);
     declare_conditional_live_outs(loop, out);
     writer_line(out, "int redcc__done = 0;");
+    if (loop->continues) {
+        writer_line(out, "redcc_int redcc__made = redcc__trip;");
+        writer_line(out, "REDCC_OVER_AT_JUMPS(%s);", outlined_name(loop, "site"));
+    }
     const char *loaded = write_loads(loop, out);
     writer_line(out, "if (%s%s%s) {", replaced_condition(loop), entry, loaded);
     out->depth++;
@@ -177,10 +188,18 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     /* not `if (!redcc__done)`: compilers would warn of an ambiguous `else` in the loop */
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
-    writer_line(out, "} else");
+    const bool is_open = loop->facts->slice.exits && loop->facts->slice.exits->open;
+    if (loop->continues && !is_open) {
+        writer_line(out, "}");
+        writer_line(out, "if (redcc__done && redcc__made == redcc__trip) {");
+    }
+    writer_line(out, is_open ? "}" : "} else");
     if (loop->facts->variables.openmp)
         write_sequential_copy(loop, out);
+    if (loop->continues)
+        begin = write_continued_header(loop, out, begin);
     buffer_text(&out->out, "#endif\n");
+    return begin;
 }
 
 static void write_sequential_form(loop_text *loop, writer *out, ir_range range) {
@@ -251,6 +270,9 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     loop_exits_take_out(loop.facts->slice.exits);
     loop_loads_take_out(loop.facts->variables.loads);
     set_names(&loop);
+    loop.continues = loop.plan->execution.may_continue && !has_branches(&loop);
+    if (!loop.continues && loop.facts->slice.exits && loop.facts->slice.exits->open)
+        loop_obstacle(&loop, whole->range, "it has no bound, and directives in its text");
     write_front(&loop, form, front);
     if (!front->text) {
         loop_loads_put_back(loop.facts->variables.loads);
@@ -262,8 +284,8 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
                                  syntax_statement_end(loop.unit->source, whole)};
     assert(block->replaced.begin <= whole->range.begin && whole->range.end <= block->replaced.end);
-    write_parallel_form(&loop, &out);
-    write_sequential_form(&loop, &out, block->replaced);
+    const uint32_t rest = write_parallel_form(&loop, &out, block->replaced.begin);
+    write_sequential_form(&loop, &out, (ir_range){rest, block->replaced.end});
     write_timing(&loop, &out, block->replaced);
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);

@@ -3,6 +3,7 @@
  * may build the program. System headers are not searched for them: they are written for all
  * compilers. */
 #define _GNU_SOURCE /* for memmem */
+#include <assert.h>
 #include <ctype.h>
 #include <string.h>
 
@@ -20,6 +21,7 @@ static const char threads[] = "_REENTRANT";
 
 /* The whole name around `at`, copied. */
 static const char *name_at(converter *c, file_text file, const char *at) {
+    assert(file.text <= at && at <= file.text + file.length);
     const char *begin = at, *end = at;
     while (begin > file.text && source_is_name_byte(begin[-1]))
         begin--;

@@ -38,7 +38,7 @@ struct converted {
     map *functions;             /* any declaration of the function -> ir_function */
     map *functions_with_errors; /* the set of canonical declarations of functions with errors */
     map *pointers;              /* ir_type of the target -> the pointer type created for it */
-    map *files;                 /* CXFile -> location.c's data about that file */
+    map *files;                 /* a file's unique identifier -> location.c's data about it */
 };
 
 /** Maps of the macro expansions in the main file. */
@@ -119,6 +119,8 @@ typedef struct file_directives {
 /** The file's directives. Each file is scanned once; for the main file, call find_directives
  *  first. */
 file_directives directives_of_file(converter *c, CXFile file);
+/** Does clang treat the file as a system header where it is included first? */
+bool is_in_system_header(converter *c, CXFile file);
 /** Does the header belong to the compiler or the C library? A library's header in a folder given by
  *  -isystem or the like counts as the program's own, unless it is in /usr outside of /usr/local. */
 bool is_of_system(converter *c, CXFile file);

@@ -15,6 +15,7 @@ typedef struct scanner {
 } scanner;
 
 unsigned splice_length(const char *p, const char *end) {
+    assert(p <= end);
     unsigned length = 0;
     if (p < end && *p == '\\')
         length = 1;
@@ -37,6 +38,7 @@ static bool starts_with(const scanner *s, const char *text) {
 }
 
 static void skip_block_comment(scanner *s) {
+    assert(starts_with(s, "/*"));
     s->at += 2;
     while (s->at < s->end && !starts_with(s, "*/")) {
         const char *star = memchr(s->at + 1, '*', (size_t)(s->end - s->at - 1));
@@ -68,6 +70,7 @@ static void skip_to(scanner *s, char close) {
 }
 
 static void skip_quoted(scanner *s) {
+    assert(*s->at == '"' || *s->at == '\'');
     char close = *s->at++;
     skip_to(s, close);
 }
@@ -104,6 +107,7 @@ const char *piece_end(const char *at, const char *end) {
 }
 
 static void add(scanner *s, ir_directive_kind kind, const char *from) {
+    assert(s->begin <= from && from <= s->at && s->at <= s->end);
     const char *to = s->at;
     while (to > from && isspace((unsigned char)to[-1]))
         to--;
@@ -153,6 +157,7 @@ static ir_directive_kind kind_of(const char *name) {
 
 /* Reads a directive. `hash` is the length of its "#". */
 static void read_directive(scanner *s, unsigned hash) {
+    assert(hash > 0 && s->at + hash <= s->end);
     const char *from = s->at;
     char name[16];
     s->at += hash;

@@ -302,6 +302,7 @@ static ir_node *convert_member(converter *c, CXCursor cursor) {
         node->flags |= IR_ARROW;
     while (step != field) {
         step = field_containing(step->type->record, field);
+        assert(step);
         node = member_node(c, cursor, node, step);
     }
     node->type = type_of(c, cursor); /* includes the qualifiers of the object */
@@ -498,6 +499,7 @@ ir_node *convert_expression(converter *c, CXCursor cursor) {
     if (!enter_level(c, cursor, &node))
         return node;
     node = convert_by_kind(c, cursor);
+    assert(c->depth > 0);
     c->depth--;
     return node;
 }

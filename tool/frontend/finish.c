@@ -83,6 +83,7 @@ static void number_variables(converter *c) {
     }
     for (unsigned i = 0; i < c->found.count; i++)
         number_variable(unit, c->found.items[i]);
+    assert(unit->variable_count == c->found.count);
     for (unsigned i = 0; i < unit->variable_count; i++)
         unit->variables[i]->id = i;
 }

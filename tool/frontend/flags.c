@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* for strverscmp */
 #include "frontend/flags.h"
 
+#include <assert.h>
 #include <glob.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +17,7 @@
  * Returns the index of the last word that belongs to the flag. */
 static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
                      const char *const *flags) {
+    assert(i < count);
     const option *known = option_find(flags[i]);
     const unsigned meaning = known ? known->meaning : 0;
     const bool needs_next = (meaning & OPTION_ARGUMENT) && strcmp(flags[i], known->name) == 0;

@@ -67,8 +67,7 @@ void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor) {
 void note_inclusion(converter *c, CXCursor directive) {
     CXFile file = clang_getIncludedFile(directive), by;
     ir_inclusion found = {0};
-    if (file == NULL ||
-        clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+    if (file == NULL || is_in_system_header(c, file))
         return;
     clang_getExpansionLocation(clang_getCursorLocation(directive), &by, NULL, NULL, &found.offset);
     found.is_in_main_file = by != NULL && clang_File_isEqual(by, c->main_file);

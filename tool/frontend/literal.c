@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Converts literals and sizeof: their text (even if it is in a macro's body) and their value. */
+#include <assert.h>
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -161,6 +162,7 @@ static bool type_holds(const ir_type *type, int64_t value) {
  * convert the integer operand to the floating type. That conversion preserves order and is exact
  * near the literal, so comparing integers gives the same result. */
 void compare_as_integers(converter *c, ir_node *comparison) {
+    assert(comparison->kind == IR_BINARY && comparison->child_count == 2);
     for (unsigned side = 0; side < 2; side++) {
         ir_node *literal = comparison->children[side];
         const ir_type *type = comparison->children[1 - side]->type;

@@ -52,18 +52,6 @@ static bool is_in_a_librarys_folder(const converter *c, const char *path) {
     return false;
 }
 
-bool is_of_system(converter *c, CXFile file) {
-    if (!file || !clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
-        return false;
-    CXString name = clang_getFileName(file);
-    const char *path = clang_getCString(name);
-    const bool is_installed =
-        path && source_starts_with(path, "/usr/") && !source_starts_with(path, "/usr/local/");
-    const bool is_librarys = !is_installed && path && is_in_a_librarys_folder(c, path);
-    clang_disposeString(name);
-    return !is_librarys;
-}
-
 static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned depth,
                             CXClientData data) {
     (void)stack;
@@ -136,21 +124,53 @@ void place_node(converter *c, ir_node *node, CXCursor cursor) {
 
 /* ---- texts --------------------------------------------------------------------------------- */
 
-/* A header's text, and its directives once they have been requested. */
-typedef struct header_text {
+/* What is known about a file. To answer a question about a file, clang searches all macro
+ * expansions of the program for it. So each question is asked once. */
+typedef struct known_file {
+    bool has_text, has_kind, is_scanned;
     file_text text;
-    bool is_scanned;
+    bool is_in_system_header;
     file_directives found;
-} header_text;
+} known_file;
 
-static header_text *header_of(converter *c, CXFile file) {
-    void **known = map_at(c->converted.files, &file, sizeof file);
-    if (*known == NULL) {
-        header_text *read = ARENA_NEW(c->arena, header_text);
-        read->text.text = clang_getFileContents(c->clang, file, &read->text.length);
-        *known = read;
-    }
+static known_file *known_file_of(converter *c, CXFile file) {
+    CXFileUniqueID id;
+    memset(&id, 0, sizeof id);
+    if (clang_getFileUniqueID(file, &id) != 0)
+        memcpy(&id, &file, sizeof file);
+    void **known = map_at(c->converted.files, &id, sizeof id);
+    if (*known == NULL)
+        *known = ARENA_NEW(c->arena, known_file);
     return *known;
+}
+
+static known_file *header_of(converter *c, CXFile file) {
+    known_file *header = known_file_of(c, file);
+    if (!header->has_text)
+        header->text.text = clang_getFileContents(c->clang, file, &header->text.length);
+    header->has_text = true;
+    return header;
+}
+
+bool is_in_system_header(converter *c, CXFile file) {
+    known_file *known = known_file_of(c, file);
+    if (!known->has_kind)
+        known->is_in_system_header =
+            clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)) != 0;
+    known->has_kind = true;
+    return known->is_in_system_header;
+}
+
+bool is_of_system(converter *c, CXFile file) {
+    if (!file || !is_in_system_header(c, file))
+        return false;
+    CXString name = clang_getFileName(file);
+    const char *path = clang_getCString(name);
+    const bool is_installed =
+        path && source_starts_with(path, "/usr/") && !source_starts_with(path, "/usr/local/");
+    const bool is_librarys = !is_installed && path && is_in_a_librarys_folder(c, path);
+    clang_disposeString(name);
+    return !is_librarys;
 }
 
 file_text text_of_file(converter *c, CXFile file) {
@@ -168,7 +188,7 @@ bool text_has(file_text file, const char *word) {
 file_directives directives_of_file(converter *c, CXFile file) {
     if (is_same_file(file, c->main_file))
         return (file_directives){c->unit->directives, c->unit->directive_count};
-    header_text *header = header_of(c, file);
+    known_file *header = header_of(c, file);
     if (!header->is_scanned && header->text.length > 0)
         header->found.items =
             directives_in(c->arena, header->text.text, header->text.length, &header->found.count);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "html/reports.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -109,6 +110,7 @@ static json_int_t most_threads(const json_t *loops) {
 /* Returns the time of a loop beyond its sequential time divided by the number of threads. If no
  * gain was measured, only the time of inspections counts for the parallel calls. */
 static double seconds_lost(const json_t *run, json_int_t threads) {
+    assert(threads >= 1);
     const double sequential = number_of(run, "sequential_seconds");
     const double inspecting = number_of(run, "inspect_seconds");
     const double parallel = inspecting + number_of(run, "execute_seconds");

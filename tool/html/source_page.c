@@ -149,7 +149,8 @@ static void add_reason(const reports *r, buffer *out, const report_loop *loop, l
     buffer_text(out, "</details>\n");
 }
 
-/* Appends the note on a loop. `lines`: the number of lines of the source that the page shows. */
+/* Appends the note on a loop. `lines`: the number of lines of the source that the page shows; only
+ * numbers of these lines become links. */
 static void add_note(const reports *r, buffer *out, const report_loop *loop, long long lines) {
     buffer_format(out, "<section class=\"note %s\">\n<p>", kind_of(loop));
     page_verdict(out, loop);

@@ -88,7 +88,7 @@ bool ir_is_complex_part(const ir_node *node) {
 
 bool ir_continues(const ir_node *node) {
     if (node->kind == IR_CONTINUE)
-        return true;
+        return !(node->flags & IR_LEAVES);
     for (unsigned i = 0; !ir_is_loop(node) && i < node->child_count; i++)
         if (ir_continues(node->children[i]))
             return true;

@@ -308,6 +308,8 @@ enum {
                        * never executed (analysis/base/dead_branches.h). Copies of the text omit
                        * its bytes. children[0] is the replaced statement, which the text form
                        * shows */
+    IR_LEAVES = 256,  /* an IR_CONTINUE that stands for leaving the analysed loop
+                       * (analysis/base/loop_exits.h), so it skips no step of the counter */
     IR_FROM_CALL = 32 /* the node replaces a call and reads file-scope variables that the call's
                        * text does not name (ir_accessors.h). The call's text therefore must not
                        * be copied to a place with other variables or other memory. IR_FROM_MACRO

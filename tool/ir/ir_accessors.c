@@ -163,6 +163,7 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
 /* Simplifies an access to an address that replaced a call: *&x becomes x, and (&x)->m becomes
  * x.m. */
 static void simplify_address(ir_node *node) {
+    assert(ir_is_address_of(node->children[0]));
     ir_node *object = node->children[0]->children[0];
     if (node->kind == IR_MEMBER) {
         node->flags &= ~(unsigned)IR_ARROW;
@@ -199,6 +200,7 @@ static ir_node *as_long(arena *memory, ir_node *number) {
 
 /* Splits a sum p + e - f + ... : returns p and stores e - f + ... in *subscript. */
 static ir_node *split_sum(arena *memory, ir_node *sum, ir_node **subscript) {
+    assert(is_sum_of_pointer(sum));
     const ir_type *left = sum->children[0]->type;
     const unsigned side = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
     ir_node *base = sum->children[side], *number = sum->children[1 - side];
@@ -224,6 +226,7 @@ static ir_node *split_sum(arena *memory, ir_node *sum, ir_node **subscript) {
 }
 
 static void become_element(arena *memory, ir_node *node, ir_node *base, ir_node *subscript) {
+    assert(ir_is_expression(base) && ir_is_expression(subscript));
     node->kind = IR_INDEX;
     node->op = IR_OP_NONE;
     node->child_count = 2;
@@ -285,6 +288,7 @@ static void visit(accessors *a, const ir_function *function, ir_node *node) {
 }
 
 static void look_through(accessors *a, ir_function *function) {
+    assert(function->id < a->unit->function_count);
     if (a->functions[function->id] != UNSEEN || !function->body)
         return;
     a->functions[function->id] = BEGUN;

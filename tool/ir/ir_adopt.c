@@ -229,6 +229,7 @@ static bool agrees(adoption *d, const ir_function *own, const ir_function *other
 }
 
 static void take_body(adoption *d, ir_function *own, ir_function *other, uint64_t digest) {
+    assert(other->body && (own == other || !own->body));
     arena *a = d->unit->arena;
     ir_import *import = ARENA_NEW(a, ir_import);
     *import = (ir_import){d->from->source->path, digest};
@@ -249,6 +250,7 @@ static ir_function *adopt_function(adoption *d, ir_function *function) {
         return *known;
     ir_function *own = function->linkage.is_static ? NULL : own_function(d, function->name);
     const bool is_body_taken = is_taken(d, function);
+    assert(d->from->functions[function->id] == function);
     const uint64_t digest = d->digests[function->id];
     if (own && ((!own->body && agrees(d, own, function)) || !function->body)) {
         *known = own;
@@ -356,6 +358,10 @@ static void extend_unit(adoption *d) {
     unit->variables =
         joined(unit->arena, unit->variables, unit->variable_count, d->more.items, d->more.count);
     unit->variable_count += d->more.count;
+    assert(d->added.count == 0 ||
+           unit->functions[unit->function_count - 1]->id == unit->function_count - 1);
+    assert(d->more.count == 0 ||
+           unit->variables[unit->variable_count - 1]->id == unit->variable_count - 1);
     ir_count_references(unit);
 }
 

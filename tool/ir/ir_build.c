@@ -6,6 +6,7 @@
 
 ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count) {
     assert((unsigned)kind <= IR_EMPTY);
+    assert(!type || kind <= IR_OPAQUE);
     ir_node *node = ARENA_NEW(a, ir_node);
     node->kind = kind;
     node->type = type;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ir/ir_c.h"
 
+#include <assert.h>
+
 #include "ir/ir_words.h"
 
 /* Precedence levels of C's grammar (C17 6.5), from the weakest to the strongest. */
@@ -61,6 +63,7 @@ static level level_of_binary(ir_operator op) {
     case IR_OP_OR:
         return LEVEL_OR;
     default:
+        assert(op == IR_OP_COMMA);
         return LEVEL_COMMA;
     }
 }
@@ -106,6 +109,7 @@ static bool print_list(c_printer *p, const ir_node *node, unsigned first) {
 
 static bool print_between(c_printer *p, const ir_node *node, const char *op, level left,
                           level right) {
+    assert(node->child_count == 2);
     if (!print(p, node->children[0], left))
         return false;
     buffer_text(p->out, op);
@@ -151,6 +155,7 @@ static bool print_binary(c_printer *p, const ir_node *node) {
     size_t length = 1;
     for (const char *c = ir_operator_spelling(node->op); *c != 0; c++)
         op[length++] = *c;
+    assert(length + 1 < sizeof op);
     op[length] = ' ';
     if (looks_like_power(node)) {
         buffer_format(p->out, "(%s)%s", node->children[0]->text, op);

@@ -2,6 +2,7 @@
 /* Infers the type of an expression from the types of its parts by C's rules (C17 6.3.1, 6.5). The
  * text form omits a type that can be inferred here and states any other. A missing rule therefore
  * only makes the text longer. */
+#include <assert.h>
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -182,6 +183,7 @@ static const ir_type *binary_type(arena *a, const ir_node *node) {
 static const ir_type *part_of_complex(arena *a, const ir_type *type) {
     if (type->kind != IR_COMPLEX)
         return unqualified(a, type);
+    assert(type->size == 8 || type->size == 16 || type->size == 32);
     return scalar(a, type->size == 8 ? "float" : type->size == 16 ? "double" : "ldouble");
 }
 

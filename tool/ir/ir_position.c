@@ -51,6 +51,7 @@ ir_position ir_position_of(const ir_unit *unit, uint32_t offset) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *directive = &unit->directives[i];
         line_directive said;
+        assert(i == 0 || unit->directives[i - 1].range.end <= directive->range.begin);
         if (directive->range.begin > offset)
             break;
         if (directive->kind != IR_DIRECTIVE_OTHER ||

@@ -90,6 +90,7 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
 /** Returns the offset after the `;` that follows `at`. If no `;` follows, because it is in a
  *  macro's body, returns `at`. */
 static uint32_t after_semicolon(const source *s, uint32_t at) {
+    assert(at <= s->length);
     const uint32_t next = source_skip_blanks(s, at, (uint32_t)s->length);
     return next < s->length && s->text[next] == ';' ? next + 1 : at;
 }

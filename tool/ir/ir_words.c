@@ -147,6 +147,7 @@ const char *ir_operator_spelling(ir_operator op) {
 
 /* As operators[], except that "++_" is the prefix and "_++" the postfix operator. */
 static const char *operator_word(ir_operator op) {
+    assert((unsigned)op < OPERATOR_COUNT);
     switch (op) {
     case IR_OP_PRE_INCREMENT:
         return "++_";
@@ -162,6 +163,7 @@ static const char *operator_word(ir_operator op) {
 }
 
 static bool find_operator(const char *word, unsigned first, unsigned last, ir_operator *op) {
+    assert(first <= last && last < OPERATOR_COUNT);
     for (unsigned i = first; i <= last; i++)
         if (strcmp(operator_word((ir_operator)i), word) == 0) {
             *op = (ir_operator)i;
@@ -222,6 +224,7 @@ bool ir_node_word(const ir_node *node, char word[16]) {
         text = "arrow";
     if (text == NULL)
         text = operator_word(node->op);
+    assert(strlen(text) < 15);
     snprintf(word, 16, "%s%s", text, node->kind == IR_ASSIGN ? "=" : "");
     return word[0] != 0;
 }
@@ -258,6 +261,7 @@ bool ir_word_node(const char *word, unsigned child_count, ir_node *node) {
 }
 
 bool ir_is_statement_place(ir_kind kind, unsigned index) {
+    assert(index < ir_kind_words(kind)->max_children);
     switch (kind) {
     case IR_BLOCK:
     case IR_DEFAULT:

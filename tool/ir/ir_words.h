@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The words of the text form and the spellings of C. The printer, the reader and the checker share
- *  them. */
+/** The names of types, operators and kinds of nodes, in the IR's text form (ir_text.h) and in C. */
 #ifndef IR_IR_WORDS_H
 #define IR_IR_WORDS_H
 

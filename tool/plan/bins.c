@@ -19,6 +19,7 @@ bool is_updated_element(const ir_node *node, const ir_node *target) {
 }
 
 const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update) {
+    assert(update->array < facts->array_count);
     const ir_node *node = update->target;
     if (!facts->arrays[update->array].is_scattered)
         return NULL;
@@ -156,6 +157,7 @@ unsigned stream_value_count(const bins_stream *stream) {
 
 /** Sets the record's tag: records of a stream share a tag if the same statements can apply them. */
 static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *record) {
+    assert(record->stream < bins->stream_count);
     for (const bins_record *other = bins->records; other < record; other++)
         if (other->stream == record->stream && records_are_alike(facts, bins, other, record)) {
             record->tag = other->tag;
@@ -168,6 +170,7 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
  * fewer values use only the first of these. Returns false if the types differ, or there are too
  * many values. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
+    assert(record->stream < bins->stream_count);
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);
     const unsigned values = record->operand_count * parts;
@@ -187,6 +190,7 @@ static bool is_power_of_two(int64_t size) {
 }
 
 static bool can_be_stream(const loop_facts *facts, unsigned number) {
+    assert(number < facts->array_count);
     const reduction_array *array = &facts->arrays[number];
     const ir_type *element = array->element;
     for (unsigned other = 0; other < number; other++) /* no two arrays have the same base */
@@ -227,6 +231,7 @@ static void find_guarded_sources(const loop_plan *plan, bins_plan *bins) {
         const loop_source *read = &plan->facts->sources[i];
         if (!is_guarded[i] || read->extent != EXTENT_TOUCHED)
             continue;
+        assert(plan->source_number[i] >= 0 && plan->source_number[i] < MOST_SOURCES);
         bins->guarded_sources |= (uint32_t)1 << plan->source_number[i];
         if (!read->is_repeated)
             bins->varied_sources |= (uint32_t)1 << plan->source_number[i];
@@ -321,8 +326,10 @@ void plan_bins(loop_plan *plan) {
     bins->is_checked = needs_check(plan);
     if (!bins->is_checked)
         find_guarded_sources(plan, bins);
+    assert((bins->varied_sources & ~bins->guarded_sources) == 0);
     if (choose_records(plan, bins))
         plan->bins = bins;
     else
         plan->no_bins = "an update needs more than a record can hold";
+    assert((plan->bins == NULL) == (plan->no_bins != NULL));
 }

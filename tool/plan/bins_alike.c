@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Finds records that the same statements can apply: updates that differ only in rows and values.
  */
+#include <assert.h>
 #include <string.h>
 
 #include "ir/ir_syntax.h"
@@ -49,6 +50,7 @@ static bool are_equal_in_records(record_update left, const ir_node *a, record_up
 
 bool records_are_alike(const loop_facts *facts, const bins_plan *bins, const bins_record *a,
                        const bins_record *b) {
+    assert(a->stream == b->stream);
     const unsigned parts = nest_part_count(a->nest);
     if (a->update_count != b->update_count || parts != nest_part_count(b->nest))
         return false;

@@ -6,6 +6,8 @@
  * operands do not change while it is executed, and the record at its first statement can hold all
  * of them.
  */
+#include <assert.h>
+
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
 
@@ -42,6 +44,7 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
             count++;
             has_row = has_row || is_same_row(g->facts, g->bins, g->members[i].update, update);
         }
+    assert(count <= MOST_RECORD_UPDATES);
     return has_row && count < MOST_RECORD_UPDATES;
 }
 
@@ -49,6 +52,7 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
  * their order, so groups before the last one that updates the array are excluded. Unless `wide`,
  * that last group is excluded too. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
+    assert(g->begin <= g->count);
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)
         if (has_array(g, group, update->array))
@@ -59,6 +63,7 @@ static unsigned group_for(const grouping *g, const reduction_update *update) {
 }
 
 static void add_update(grouping *g, const reduction_update *update) {
+    assert(g->member_count < g->facts->update_count);
     const unsigned group = group_for(g, update);
     g->count += group == g->count;
     g->members[g->member_count++] = (struct member){update, group};
@@ -98,6 +103,7 @@ static void find_streams(const grouping *g, bins_plan *bins, bool together) {
             s++;
         if (s == bins->stream_count)
             bins->streams[bins->stream_count++] = (bins_stream){0};
+        assert(bins->streams[s].array_count < MOST_STREAM_ARRAYS);
         bins->streams[s].arrays[bins->streams[s].array_count++] = array;
     }
 }
@@ -120,6 +126,7 @@ static void add_record(const grouping *g, bins_plan *bins, unsigned group, unsig
     record.nest = nest_of(g->facts, bins, record.updates[0]);
     const bins_span *span = &bins->spans[record.updates[0] - g->facts->updates];
     record.span = span->loop ? span : NULL;
+    assert(bins->record_count < g->facts->update_count);
     bins->records[bins->record_count++] = record;
 }
 

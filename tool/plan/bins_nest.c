@@ -90,6 +90,7 @@ static bool is_one_row(const loop_facts *facts, const reduction_update *update,
  * a nest. */
 static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
+    assert(ir_contains(outermost, update->statement));
     *nest = (bins_nest){.outermost = outermost};
     if (!syntax_editable_statement(outermost, facts->counted.body))
         return false; /* a macro's expansion may contain more than the loop */

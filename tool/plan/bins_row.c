@@ -16,6 +16,7 @@
 enum { MOST_ROW_BYTES = 1024 };
 
 static int64_t element_size(const loop_facts *facts, unsigned array) {
+    assert(array < facts->array_count);
     return facts->arrays[array].element->size;
 }
 
@@ -125,6 +126,7 @@ unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduc
         if (level)
             offset += nest_counter_value(nest, level, part) * node->type->size;
     }
+    assert(offset >= 0 && offset < bins->row_bytes[update->array]);
     return (unsigned)(offset / element_size(facts, update->array));
 }
 
@@ -155,6 +157,7 @@ static bool is_aligned(const loop_facts *facts, const reduction_update *update) 
 
 bool is_in_step(const loop_facts *facts, const bins_plan *bins, const reduction_update *update) {
     const int64_t size = bins->row_bytes[update->array];
+    assert(size > 0);
     int64_t offset;
     const ir_node *node = row_in_bins(facts, bins, update, &offset);
     if (!ir_type_equal(update->target->type, facts->arrays[update->array].element) ||

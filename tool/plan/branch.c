@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/branch.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
@@ -29,6 +31,7 @@ static bool may_be_entered(const ir_node *node) {
 
 bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
                        const ir_variable *variable) {
+    assert(ir_contains(facts->loop, branch));
     const ir_node *const body = facts->counted.body;
     const ir_node *const declarator = ir_declarator_in(branch, variable);
     const bool has_start = declarator && declarator->child_count > 0;
@@ -98,6 +101,7 @@ static bool is_reached(ir_operator op, const ir_node *bound, int64_t step, const
 }
 
 bool ends_in_any_case(const loop_facts *facts, const ir_node *loop) {
+    assert(ir_is_loop(loop));
     ir_variable *counter;
     int64_t step;
     if (loop->kind != IR_FOR || !counted_step(loop->children[2], &counter, &step))

@@ -14,6 +14,7 @@
  */
 #include "plan/contraction.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "plan/place.h"
@@ -97,6 +98,7 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
  * before which C allows no attribute. */
 static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
+    assert(function->body);
     return has_place_in_front(unit, function) &&
            !holds_word(unit->source, begin, function->body->range.begin, "inline") &&
            !source_starts_with(unit->source->text + begin, function->name) &&

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/execution.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
+#include "plan/continuation.h"
 #include "plan/in_order.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
@@ -77,7 +80,7 @@ bool may_be_reordered(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].order_is_kept)
             return false;
-    return !has_conditional_live_outs(facts);
+    return !has_conditional_live_outs(facts) && !facts->slice.exits;
 }
 
 static bool needs_order(const loop_facts *facts) {
@@ -100,6 +103,7 @@ static bool holds_update(const loop_facts *facts, const ir_node *node) {
 static bool has_search(const loop_facts *facts, const ir_node *node) {
     if (ir_is_expression(node))
         return ir_has_kind(node, IR_CALL);
+    assert(node->id < facts->function->node_count);
     if (!facts->slice.holds[node->id])
         return false;
     if (ir_is_loop(node) && !holds_update(facts, node))
@@ -113,6 +117,7 @@ static bool has_search(const loop_facts *facts, const ir_node *node) {
 /** Returns the innermost loop around a statement of the body, or NULL if there is none. Loops with
  * constant bounds, over the components of a vector, do not count. */
 static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
+    assert(ir_contains(facts->loop, node));
     for (; node != facts->loop; node = node->parent) {
         const ir_variable *counter;
         int64_t first, last;
@@ -122,8 +127,9 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Are some updates in inner loops, and does the inspector log each of these loops as a span? The
- * slice must contain no search and no pre-check. */
+/** Is inspecting an iteration short even if executing it is long? True if some updates are in inner
+ * loops, and the inspector logs the rows of each of these loops as one range (loop_span). The slice
+ * must contain no search, and the loop must need no pre-check (precheck.h). */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;
@@ -139,12 +145,20 @@ static bool is_over_blocks(const loop_plan *plan) {
     return has_blocks;
 }
 
+/** Is each scalar with a series a variable? Reading it is then harmless, even if the loop adds
+ *  nothing to it. */
+static bool are_series_of_variables(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (facts->scalars[i].is_series && facts->scalars[i].target->kind != IR_VARIABLE)
+            return false;
+    return true;
+}
+
 /** May the first iterations be executed by owners, as long as none updates what the loop reads, and
- * the others in order (runtime/src/ownership/fences.h)? Series must not need a second execution of
- * iterations whose reads were updated. */
+ * the others in order (runtime/src/ownership/fences.h)? */
 static bool may_end_in_order(const loop_facts *facts) {
-    return facts->inspector.exists && !has_values_from_before(facts) && !has_series(facts) &&
-           !facts->slice.exits && !facts->slice.may_abort;
+    return facts->inspector.exists && !has_values_from_before(facts) &&
+           are_series_of_variables(facts) && !facts->slice.exits && !facts->slice.may_abort;
 }
 
 void plan_execution(loop_plan *plan) {
@@ -158,6 +172,7 @@ void plan_execution(loop_plan *plan) {
         .needs_whole = needs_whole,
         .may_begin = !needs_whole && may_begin_in_order(facts),
         .may_end_in_order = may_end_in_order(facts),
+        .may_continue = may_continue_at_exits(facts),
         .is_over_blocks = is_over_blocks(plan),
         .work = work_of_iteration(plan),
         .order = plan->options->order};

@@ -8,6 +8,8 @@
  */
 #include "plan/fresh.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/stepped.h"
@@ -112,6 +114,7 @@ static finding in_choice(const place *p, const ir_node *node) {
  * iteration may end early. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
+    assert(first <= last && last - first < MOST_ELEMENTS);
     finding found = FRESH;
     for (int64_t i = first; i <= last && found == FRESH; i++) {
         const known value = {counter, i, p->known};
@@ -188,6 +191,7 @@ static bool is_fresh_array_in(const ir_node *statement, const ir_variable *varia
 }
 
 bool is_fresh_in(const ir_node *statement, const ir_variable *variable) {
+    assert(!ir_has_kind(statement, IR_LABEL));
     if (variable->address_taken || variable->has_other_name || ir_has_kind(statement, IR_OPAQUE) ||
         ir_has_kind(statement, IR_GOTO) || ir_has_kind(statement, IR_SWITCH))
         return false;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/in_order.h"
 
+#include <assert.h>
+
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
@@ -61,6 +63,7 @@ static bool calls_function(const ir_node *node) {
 }
 
 bool may_begin_in_order(const loop_facts *facts) {
+    assert(!has_values_from_before(facts));
     const counted_loop *counted = &facts->counted;
     const bool is_short = facts->has_short_iterations && !ir_any(counted->body, calls_function);
     return !is_short && !counts_iterations(facts) && !facts->slice.exits &&

@@ -61,6 +61,7 @@ static bool is_dead(const inner_rest *t, const ir_variable *variable) {
 
 /** Is the node part of an update? An update writes only the element. */
 static bool is_in_update(const inner_rest *t, const ir_node *node) {
+    assert(ir_contains(t->block, node));
     for (; node != t->block; node = node->parent)
         if (loop_update_at(t->facts, node))
             return true;
@@ -158,6 +159,7 @@ static unsigned work_in(const inner_rest *t, const ir_node *node) {
 
 static bool may_be_left_out(inner_rest *t) {
     unsigned work = 0;
+    assert(t->rest < t->block->child_count);
     for (unsigned i = t->rest; i < t->block->child_count; i++) {
         if (has_visible_effect(t, t->block->children[i], false))
             return false;
@@ -181,6 +183,7 @@ static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
 
 /** Does the variable have a value whenever an inner iteration begins? */
 static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
+    assert(ir_contains(t->facts->counted.body, t->inner));
     const loop_facts *facts = t->facts;
     if (!private_of(facts, variable))
         return true;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/inner_variables.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 
@@ -33,6 +35,7 @@ typedef enum answer { ANSWER_NONE, ANSWER_SET, ANSWER_STALE } answer;
  * loop. */
 static answer search_before(const ir_node *block, const ir_node *node, const ir_node *inner,
                             const ir_variable *variable) {
+    assert(node->parent == block);
     unsigned i = 0;
     while (block->children[i] != node)
         i++;
@@ -82,6 +85,8 @@ static bool are_reads_set(const ir_node *body, const ir_node *inner, const ir_no
 }
 
 bool inner_value_is_dead(const ir_node *body, const ir_node *inner, const ir_variable *variable) {
+    assert(!variable->address_taken);
+    assert(ir_contains(body, inner));
     const bool may_enter_blocks = ir_has_kind(body, IR_LABEL) || ir_has_kind(body, IR_SWITCH);
     return ir_type_is_scalar(variable->type) && !may_enter_blocks &&
            are_reads_set(body, inner, body, variable);

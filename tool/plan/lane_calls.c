@@ -60,6 +60,7 @@ typedef struct calls {
 
 static void add_calls(const lane_scope *l, const ir_node *node, int64_t times, int depth,
                       bool of_updates, calls *found) {
+    assert(times >= 1 && times <= MANY);
     const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION
                                     ? node->children[0]->function
                                     : NULL;

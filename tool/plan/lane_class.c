@@ -52,6 +52,7 @@ bool lane_is_own(const lane_scope *l, const ir_variable *variable) {
 bool lane_is_uniform(const lane_scope *l, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
+        assert(node->variable->id < l->plan->unit->variable_count);
         return l->class_of[node->variable->id] == LANE_UNIFORM;
     case IR_CALL:
     case IR_ASSIGN:

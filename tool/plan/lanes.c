@@ -99,6 +99,7 @@ bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
     const loop_facts *facts = l->plan->facts;
     const ir_node *block = l->body;
+    assert(block->kind == IR_BLOCK);
     bool is_pending = false;
     for (unsigned i = 0; i < block->child_count; i++) {
         const ir_node *statement = block->children[i];
@@ -166,6 +167,7 @@ static void check_update(lane_scope *l, const ir_node *statement) {
 }
 
 static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
+    assert(updating && ir_contains(updating, jump));
     for (const ir_node *at = jump->parent; at && at != updating->parent; at = at->parent)
         if (ir_is_loop(at))
             return false;
@@ -235,6 +237,7 @@ static bool may_change(const ir_node *node, const ir_variable *variable) {
 }
 
 void lane_check_order(lane_scope *l, const ir_node *body) {
+    assert(body->kind == IR_BLOCK);
     for (unsigned i = 0; i < l->plan->unit->variable_count; i++) {
         const ir_variable *variable = l->plan->unit->variables[i];
         if (!lane_is_own(l, variable) || lane_is_counter_only(l->body, variable))
@@ -311,6 +314,7 @@ const ir_type *lane_vector_type(const ir_variable *variable) {
 }
 
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value) {
+    assert(parameter->storage == IR_PARAMETER);
     const ir_type *type = parameter->type;
     if (type->is_volatile || type->is_atomic)
         lane_problem(l, NO_LANES_STORAGE, value);
@@ -331,6 +335,7 @@ lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, con
 }
 
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth) {
+    assert(function->body);
     const ir_type *result = function->type->target;
     const ir_node *body = function->body;
     if (function->is_variadic || function->is_noreturn || function->linkage.import ||

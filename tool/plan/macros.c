@@ -6,6 +6,7 @@
  */
 #include "plan/macros.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <string.h>
 
@@ -14,6 +15,7 @@ static bool is_name_start(char c) {
 }
 
 static const char *skip_quoted(const char *at, const char *end) {
+    assert(at < end && (*at == '"' || *at == '\''));
     const char quote = *at++;
     while (at < end && *at != quote)
         at += *at == '\\' && at + 1 < end ? 2 : 1;
@@ -26,6 +28,7 @@ static const char *skip_directive(const char *at, const char *end) {
 }
 
 static const char *skip_comment(const char *at, const char *end) {
+    assert(end - at >= 2 && at[0] == '/' && at[1] == '*');
     for (at += 2; at + 1 < end; at++)
         if (at[0] == '*' && at[1] == '/')
             return at + 2;
@@ -44,6 +47,7 @@ static bool is_meant(const char *word, size_t length) {
 
 /** Does the preprocessor replace this word, which ends at `after`? */
 static bool is_replaced(const map *macros, const char *word, const char *after, const char *end) {
+    assert(word < after && after <= end);
     if (is_meant(word, (size_t)(after - word)))
         return false;
     const void *kind = map_get(macros, word, (size_t)(after - word));

@@ -82,6 +82,7 @@ static bool check_node(ir_node *node, void *context) {
 }
 
 static bool only_reads(const ir_function *function, const ir_variable *variable, unsigned depth) {
+    assert(depth <= MOST_DEPTH);
     aliases l = {.depth = depth};
     if (depth == MOST_DEPTH || !function->body || function->linkage.is_weak || !add(&l, variable))
         return false;

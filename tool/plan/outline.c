@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/outline.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/loop_text.h"
@@ -17,6 +18,7 @@ enum { MOST_ARRAYS = 6 /* as many as the macros of loop.h allow */ };
 /** Does a directive in bytes [begin, end) change the meaning of a copy? Conditional directives do
  *  not, because the copy contains only the branches that are compiled (as_compiled.h). */
 static bool changes_copies(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    assert(begin <= end);
     for (unsigned i = loop_text_first_directive(unit, begin);
          i < unit->directive_count && unit->directives[i].range.begin < end; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -74,7 +76,8 @@ bool says_function_name(const loop_plan *plan, const ir_node *node) {
     if (node->kind != IR_STRING)
         return false;
     if (!(node->flags & IR_FROM_MACRO))
-        return plan->unit->source->text[node->range.begin] == '_';
+        assert(node->range.begin < plan->unit->source->length);
+    return plan->unit->source->text[node->range.begin] == '_';
     return node->text && strlen(node->text) == length + 2 &&
            strncmp(node->text + 1, name, length) == 0;
 }
@@ -136,6 +139,7 @@ static bool is_declared_in_body(const loop_facts *facts, const ir_variable *vari
 }
 
 passing passing_of(const loop_plan *plan, const ir_variable *variable, bool of_body) {
+    assert(!of_body || plan->is_shadowed);
     const loop_facts *facts = plan->facts;
     if (variable == facts->counted.counter || is_declared_in(facts, variable) ||
         is_declared_in_body(facts, variable) || is_stand_in(plan, variable, of_body))

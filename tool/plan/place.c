@@ -26,7 +26,7 @@ bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragm
 }
 
 bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word) {
-    assert(end <= file->length);
+    assert(begin <= end && end <= file->length);
     const size_t length = strlen(word);
     for (uint32_t at = begin; at + length <= end; at++)
         if (memcmp(file->text + at, word, length) == 0)
@@ -52,6 +52,7 @@ static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
             file->text[f->range.end - 1] == '}')
             last = f->range.end;
     }
+    assert(last <= end);
     return last;
 }
 
@@ -78,6 +79,7 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
         if (depth == 0 && (c == ';' || c == '}'))
             found.declaration = at;
     }
+    assert(found.declaration <= found.last && found.last <= end);
     return found;
 }
 
@@ -85,6 +87,7 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
  * text after it. `omp threadprivate` does not count, because it names the variables to which it
  * applies. */
 static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    assert(begin <= end);
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
         if (d->range.end > begin && d->range.begin < end && d->kind == IR_DIRECTIVE_PRAGMA &&
@@ -97,6 +100,7 @@ static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t e
 
 /** Does a macro expand to a whole function that begins in bytes [begin, end)? */
 static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    assert(begin <= end);
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];
         if (other->is_in_main_file && other->body && other->range.begin >= begin &&

@@ -44,6 +44,7 @@ static void plan_stand_ins(loop_plan *plan) {
 }
 
 static void plan_form(loop_plan *plan) {
+    assert(!plan->obstacle.message && plan->has_ready_base);
     const loop_facts *facts = plan->facts;
     plan_stand_ins(plan);
     plan_execution(plan);
@@ -60,6 +61,7 @@ static void plan_form(loop_plan *plan) {
         plan->no_bins = "the loop has live-out variables as well as updates";
     else
         plan_bins(plan);
+    assert((plan->bins == NULL) == (plan->no_bins != NULL));
     plan->execution.is_unordered = plan_is_unordered(plan);
     if (plan->execution.is_unordered && plan->execution.order == ORDER_SERIAL)
         plan->execution.order = ORDER_FIXED;

@@ -50,7 +50,9 @@ typedef struct execution_plan {
     bool may_begin;   /* the first iterations may be executed in order before the inspection, and
                        * the remaining ones as a separate loop */
     bool may_end_in_order; /* the first iterations may be executed by owners, and the remaining ones
-                              in order (REDCC_FENCED) */
+                              in order (REDCC_FENCED, REDCC_FENCED_SERIES) */
+    bool may_continue;     /* the original loop can continue at an iteration that leaves it, after
+                              the preceding ones were executed (continuation.h) */
     bool is_over_blocks;   /* inspection is short, even if iterations are long */
     int64_t work;          /* operations of an iteration (work.h) */
     const array_section *sections; /* by array (sections.h), or NULL if the loop has none */

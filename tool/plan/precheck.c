@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/precheck.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
@@ -36,6 +38,7 @@ static void check_source(unverified_reads *s, const loop_source *read, control h
 }
 
 static bool is_logged(const loop_plan *plan, unsigned number) {
+    assert(number < plan->facts->source_count);
     return plan->facts->sources[number].extent == EXTENT_TOUCHED &&
            plan->source_number[number] != SOURCE_NOT_LOGGED;
 }
@@ -65,6 +68,7 @@ static bool check_updates_at(unverified_reads *s, const ir_node *node, control h
 /** Checks those parts of the node that the slice contains, and the addresses that it logs. */
 static void check_held(unverified_reads *s, const ir_node *node, control how) {
     const loop_facts *facts = s->plan->facts;
+    assert(node->id < facts->function->node_count);
     const bool is_held = facts->slice.holds[node->id];
     how.is_unverified |= s->may_have_left;
     check_logged_at(s, node, how);
@@ -148,19 +152,38 @@ static void refuse(loop_plan *plan, const bool *is_suspect) {
     unsigned first = 0;
     while (!is_suspect[first])
         first++;
+    assert(first < facts->source_count);
     plan_obstacle(plan, facts->sources[first].row->range,
                   "'%s' may decide what the inspector reads, and may overlap an array that the "
                   "loop updates",
                   facts->sources[first].name);
 }
 
+/** May the loop write what tells its end? The dry run would then read elements that the program
+ * does not read. Removes other suspects in this case. */
+static bool may_move_end(const loop_facts *facts, bool *is_suspect) {
+    bool is_found = false;
+    if (!facts->slice.exits || !facts->slice.exits->open)
+        return false;
+    for (unsigned i = 0; i < facts->source_count; i++)
+        is_found |= is_suspect[i] && facts->sources[i].is_subscript;
+    for (unsigned i = 0; is_found && i < facts->source_count; i++)
+        is_suspect[i] &= facts->sources[i].is_subscript;
+    return is_found;
+}
+
 void plan_precheck(loop_plan *plan) {
+    assert(plan->precheck == PRECHECK_NONE && plan->has_ready_base);
     const loop_facts *facts = plan->facts;
     bool *is_suspect = guarded_sources(plan);
     if (facts->slice.exits)
         plan->precheck = PRECHECK_OF_UPDATES;
     if (!unverified_has_suspects(plan, is_suspect))
         return;
+    if (may_move_end(facts, is_suspect)) {
+        refuse(plan, is_suspect);
+        return;
+    }
     if (harms_ahead(plan, is_suspect)) {
         refuse(plan, is_suspect);
         return;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/prefetch.h"
 
+#include <assert.h>
+
 #include "plan/lookup.h"
 #include "plan/work.h"
 #include "support/map.h"
@@ -73,6 +75,7 @@ typedef struct gather_search {
 
 /** Is this a new combination of function and arguments, with at least one variable of the loop? */
 static bool is_new_call(gather_search *search, const frame *in) {
+    assert(in->caller && in->call->kind == IR_CALL);
     const unsigned count = in->function->parameter_count;
     const size_t length = (count + 2) * sizeof(const void *);
     const void **key = arena_allocate(search->arena, length);
@@ -93,6 +96,7 @@ static bool is_new_call(gather_search *search, const frame *in) {
 }
 
 static void list_gathers(gather_search *search, const frame *in, const ir_node *node) {
+    assert(in->depth <= MOST_DEPTH);
     gather_list *list = &search->list;
     if (node->kind == IR_INDEX) {
         const gather one = {resolve(in, node->children[0]), resolve(in, node->children[1])};

@@ -11,6 +11,8 @@
  */
 #include "plan/read_ahead.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "ir/ir_syntax.h"
 
@@ -45,6 +47,7 @@ static bool starts_with_constant(const ir_node *start, const ir_variable *counte
 
 /** Is the body executed at least once, as in for (c = 0; c < 3; ...)? */
 static bool iterates(const ir_node *loop) {
+    assert(loop->kind == IR_FOR);
     const ir_node *condition = ir_child(loop, 1);
     int64_t first;
     if (condition->kind != IR_BINARY || condition->children[0]->kind != IR_VARIABLE ||
@@ -313,6 +316,7 @@ static bool base_is_safe(const loop_facts *facts, const ir_node *base) {
 }
 
 void plan_reads_ahead(loop_plan *plan) {
+    assert(plan->sources && !plan->has_ready_base);
     const loop_facts *facts = plan->facts;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!facts->arrays[i].is_scattered && !base_is_safe(facts, facts->arrays[i].base))

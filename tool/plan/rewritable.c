@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/rewritable.h"
+#include "plan/continuation.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -156,6 +157,11 @@ void check_place(loop_plan *plan) {
 }
 
 void check_iterations(loop_plan *plan) {
+    const loop_exits *exits = plan->facts->slice.exits;
+    if (exits && exits->open && !may_continue_at_exits(plan->facts))
+        plan_obstacle(plan, plan->facts->loop->range, "it has no bound, and cannot continue");
+    if (exits && exits->open && plan->facts->scalar_count)
+        plan_obstacle(plan, plan->facts->loop->range, "it has no bound, and a sum needs one");
     check_counter(plan);
     check_updates(plan);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/sections.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include "support/buffer.h"
 
 static const openmp_item *clause_of(const loop_plan *plan, const ir_variable *variable) {
+    assert(plan->facts->variables.openmp);
     const openmp_loop *openmp = plan->facts->variables.openmp;
     for (unsigned i = 0; i < openmp->item_count; i++)
         if (openmp->items[i].kind == OPENMP_REDUCTION &&
@@ -83,6 +85,7 @@ static const char *simple_expression(const loop_plan *plan, const char *text) {
  * "0:3" for rows of 3 elements? */
 static bool are_whole(const char *rest, const ir_type *row) {
     for (; rest; row = row->target) {
+        assert(source_starts_with(rest, "]["));
         rest += strlen("][");
         if (!row || row->kind != IR_ARRAY || row->count < 1)
             return false;

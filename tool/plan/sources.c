@@ -38,6 +38,7 @@ void plan_sources(loop_plan *plan) {
         sources[number].meets_arrays |= fact->meets_arrays;
         numbers[i] = (int)number;
     }
+    assert(plan->source_count <= facts->source_count);
     plan->sources = sources;
     plan->source_number = numbers;
 }

@@ -36,6 +36,7 @@ static const origin *origin_at(const written_loop *loop, uint32_t at) {
 
 /** The offset in the original file of a byte outside of the loops. */
 static uint32_t place_before(const emit_result *written, uint32_t offset) {
+    assert(written->loop_count > 0);
     const written_loop *last = NULL; /* the last piece that ends before the byte */
     for (unsigned i = 0; i < written->loop_count && written->loops[i].end <= offset; i++)
         last = &written->loops[i];
@@ -97,6 +98,8 @@ static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
         else
             high = middle;
     }
+    assert(low == 0 || unit->references[low - 1].offset < offset);
+    assert(low == unit->reference_count || unit->references[low].offset >= offset);
     return unit->references + low;
 }
 
@@ -195,6 +198,8 @@ static const ir_typed_place *typed_place_at(const ir_unit *unit, uint32_t offset
         else
             high = middle;
     }
+    assert(low == 0 || unit->typed_places[low - 1].offset < offset);
+    assert(low == unit->typed_place_count || unit->typed_places[low].offset >= offset);
     return unit->typed_places + low;
 }
 

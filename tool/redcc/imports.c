@@ -49,10 +49,37 @@ static void find_wanted(wanted *w, ir_node *node) {
     w->loops -= is_loop;
 }
 
+/* May the loop be refused for a reason that depends on the bodies of the functions it calls? Not if
+ * its own text cannot be rewritten, or its own header has no countable iterations, or a function
+ * whose body is known is recursive. To parse other files would then take time for nothing. */
+static bool may_depend_on_callees(const loop_verdict *verdict) {
+    switch (verdict->why.id) {
+    case REASON_IN_MACRO:
+    case REASON_DIRECTIVE_IN_RANGE:
+    case REASON_NO_RANGE:
+    case REASON_ERRORS:
+    case REASON_OPTION:
+    case REASON_SELF_INCLUDED:
+    case REASON_IGNORED:
+    case REASON_RECURSION:
+        return false;
+    case REASON_TRIP_COUNT:
+    case REASON_COUNTER_MODIFIED:
+    case REASON_BOUND_VARIES:
+    case REASON_STEP:
+    case REASON_COUNTER_TYPE:
+    case REASON_COUNTER_WRAPS:
+        return verdict->facts->counted.counter != NULL;
+    default:
+        return true;
+    }
+}
+
 static wanted wanted_functions(arena *a, const ir_unit *unit, const analysis_result *before) {
     wanted w = {.memory = a, .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     for (unsigned i = 0; i < before->verdict_count; i++)
-        if (before->verdicts[i].kind == VERDICT_REFUSE)
+        if (before->verdicts[i].kind == VERDICT_REFUSE &&
+            may_depend_on_callees(&before->verdicts[i]))
             find_wanted(&w, before->verdicts[i].function->body);
     return w;
 }
@@ -116,7 +143,7 @@ typedef struct calls {
 
 static bool note_call(ir_node *node, void *context) {
     calls *c = context;
-    const ir_function *function = node->kind == IR_FUNCTION ? node->function : NULL;
+    const ir_function *function = node->function; /* also of a block that replaces a call */
     if (!function || c->is_noted[function->id])
         return true;
     c->is_noted[function->id] = true;

@@ -12,7 +12,8 @@
 
 /**
  * Adds the bodies of functions that refused loops call, directly or not, and that the file only
- * declares. Returns whether any body was added; if so, the unit must be analysed again.
+ * declares, if these bodies may change the reason. Returns whether any body was added; if so, the
+ * unit must be analysed again.
  */
 bool imports_add(arena *a, ir_unit *unit, const project *around, const string_list *flags,
                  const analysis_result *before);

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
 #include "redcc/workers.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -63,6 +64,7 @@ _Noreturn static void be_worker(const pool *all, unsigned number) {
 }
 
 static bool begin(pool *all) {
+    assert(all->begun < all->w->count);
     piece *p = &all->pieces[all->begun];
     if ((all->w->keeps_output || all->w->take) && !keep_output(p))
         return false;
@@ -97,6 +99,7 @@ static bool wait_for_one(pool *all) {
 }
 
 static void show_ended(pool *all) {
+    assert(all->shown <= all->begun);
     for (; all->shown < all->begun && all->pieces[all->shown].is_ended; all->shown++) {
         const piece *p = &all->pieces[all->shown];
         if (all->w->take) {

@@ -126,6 +126,7 @@ ir_position verdict_position(const report_input *input, const loop_verdict *verd
 }
 
 ir_position reason_position(const report_input *input, const loop_verdict *verdict) {
+    assert(verdict->kind == VERDICT_REFUSE);
     const ir_range range = verdict->why.range;
     if (range.begin == range.end)
         return verdict_position(input, verdict);
@@ -145,6 +146,7 @@ ir_position lanes_position(const report_input *input, const lanes_remark *lanes)
 }
 
 void report_write(arena *a, buffer *out, report_form form, const report_input *input) {
+    assert(form <= REPORT_YAML);
     switch (form) {
     case REPORT_TEXT:
         report_text(a, out, input);

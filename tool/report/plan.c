@@ -3,6 +3,8 @@
  * for each execution; parallel without a plan; executed sequentially. */
 #include "report/plan.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 /** The smallest number of short iterations that the runtime accepts (LEAST_TRIP in
@@ -11,6 +13,7 @@ enum { LEAST_TRIP = 1024 };
 
 /** The number of iterations if it is constant, else -1. */
 static int64_t constant_trip(const counted_loop *counted) {
+    assert(counted->step != 0);
     int64_t lower, bound;
     if (!counted->lower || counted->stride || counted->counter->type->kind != IR_INTEGER ||
         !expression_constant(counted->lower, &lower) ||

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Remarks in the form that clang prints and editors read. */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/openmp_loop.h"
@@ -11,6 +12,7 @@ static void show_place(buffer *out, const ir_unit *unit, uint32_t offset) {
     const source *s = unit->source;
     const position at = source_position(s, offset);
     const uint32_t begin = s->line_begin[at.line - 1];
+    assert(begin <= offset && offset <= s->length);
     uint32_t end = begin;
     while (end < s->length && s->text[end] != '\n' && s->text[end] != '\r')
         end++;

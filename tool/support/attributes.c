@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/attributes.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <string.h>
 
@@ -67,6 +68,7 @@ static const char *skip_harmless(const char *at, const char *end) {
 }
 
 bool attributes_are_harmless(const char *at, const char *end) {
+    assert(at <= end);
     static const char word[] = "__attribute";
     while (at < end) {
         if (end - at >= 2 && strncmp(at, "[[", 2) == 0)

@@ -134,7 +134,7 @@ uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to) {
 }
 
 bool source_is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 bool source_is_name_byte(char c) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "arrays.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -12,6 +13,7 @@ typedef struct array_link {
 } array_link;
 
 void *arrays_add(arrays *of, size_t count, size_t size) {
+    assert(size > 0);
     const size_t most = (SIZE_MAX - sizeof(array_link)) / size;
     array_link *added = count <= most ? calloc(1, sizeof *added + count * size) : NULL;
     if (!added) {
@@ -32,6 +34,7 @@ void arrays_free(arrays *of) {
 }
 
 int array_grow(void *address, int *room, long count, size_t size) {
+    assert(count >= 0 && *room >= 0 && size > 0);
     const long more = count + count / 8 + 16, wanted = more < INT_MAX ? more : INT_MAX;
     void *array;
     memcpy(&array, address, sizeof array);

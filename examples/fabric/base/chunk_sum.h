@@ -5,6 +5,8 @@
 #ifndef FABRIC_CHUNK_SUM_H
 #define FABRIC_CHUNK_SUM_H
 
+#include <assert.h>
+
 enum { CHUNK_SUM_LEAST = 256, CHUNK_SUM_MOST = 512 };
 
 static inline int chunk_sum_length(int count) {
@@ -24,6 +26,7 @@ static inline int chunk_sum_end(int count, int chunk) {
 }
 
 static inline double chunk_sum_all(int count, const double *sum) {
+    assert(chunk_sum_chunks(count) <= CHUNK_SUM_MOST);
     double all = 0;
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
         all += sum[chunk];

@@ -4,6 +4,7 @@
 #ifndef FABRIC_RANDOM_H
 #define FABRIC_RANDOM_H
 
+#include <assert.h>
 #include <stdint.h>
 
 /** The generator's whole state; any value is a good seed. */
@@ -26,6 +27,7 @@ static inline double random_signed(random_source *source) {
 /** Returns a number uniform in 0 .. count - 1 (count > 0). Its bias of 2^-32 * count is negligible
  *  here. */
 static inline int random_below(random_source *source, int count) {
+    assert(count > 0);
     return (int)(((random_bits(source) >> 32) * (uint64_t)count) >> 32);
 }
 

@@ -2,6 +2,7 @@
 /* Builds the surface of cloth and bodies, and positions the bodies. */
 #include "barrier.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +31,7 @@ static int check_scene(const scene *s, char *error) {
 
 /* Appends a body's surface in the body's own axes; a plane is one point. */
 static int add_body(barrier *b, int number) {
+    assert(number >= 0 && number < b->scene->collider_count);
     static const double middle[3];
     const collider *k = &b->scene->colliders[number];
     mesh *all = &b->surface, body = {0};
@@ -163,6 +165,7 @@ void barrier_place_bodies(const barrier *b, double time, double (*x)[3]) {
     body_pose pose = {0};
     int placed = -1;
     for (int i = b->cloth->vertex_count; i < b->surface.vertex_count; i++) {
+        assert(b->collider[i] >= 0 && b->collider[i] < b->scene->collider_count);
         if (b->collider[i] != placed)
             motion_pose(&b->scene->colliders[b->collider[i]], time, &pose);
         placed = b->collider[i];

@@ -16,6 +16,7 @@
  */
 #include "barrier.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/chunk_sum.h"
@@ -27,6 +28,7 @@ typedef struct curve {
 } curve;
 
 static curve barrier_curve(double stiffness, double reach, double distance) {
+    assert(stiffness >= 0 && reach > 0);
     const double s = distance / reach, past = s - 1;
     if (!(s > 0))
         return (curve){INFINITY, 0, 0};
@@ -165,6 +167,7 @@ static double slip_of(const barrier *b, const barrier_grip *grip, const double (
  *     f1 = 2 y / e - (y / e)^2   y < e = h slip_speed, else 1
  */
 double barrier_friction(const barrier *b, double h, const double (*x)[3]) {
+    assert(h > 0 && b->slip_speed > 0);
     double sum[CHUNK_SUM_MOST] = {0};
     const double e = h * b->slip_speed;
     const int count = b->list.grips;

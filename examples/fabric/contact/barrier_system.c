@@ -5,6 +5,7 @@
  */
 #include "barrier_system.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,6 +39,7 @@ static void couple_cloth(const barrier *b, const int vertex[4], int couple[4]) {
     int first = 0;
     while (b->collider[vertex[first]] >= 0)
         first++;
+    assert(first < 4);
     for (int k = 0; k < 4; k++)
         couple[k] = vertex[b->collider[vertex[k]] >= 0 ? first : k];
 }
@@ -82,6 +84,7 @@ static void transpose(double m[3][3]) {
 }
 
 static int find_block(const block_matrix *A, int row, int column) {
+    assert(row <= column);
     int low = A->row_start[row], high = A->row_start[row + 1] - 1;
     while (low < high) {
         const int middle = (low + high) / 2;
@@ -90,6 +93,7 @@ static int find_block(const block_matrix *A, int row, int column) {
         else
             high = middle;
     }
+    assert(A->column[low] == column);
     return low;
 }
 

@@ -41,6 +41,11 @@ typedef struct vertex_contacts {
 
 typedef struct met_triangle {
     int triangle, collider;
+    int is_known;     /* has the following been computed in this step? */
+    int meets;        /* does the collider penetrate the triangle, at these velocities? */
+    double v[3][3];   /* m/s, the corners' velocities for which it was computed */
+    double weight[3]; /* weights of the point of contact */
+    approach found;
 } met_triangle;
 
 /** Triangles that a collider may penetrate between their vertices in the current step. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Finds the colliders that the cloth may touch in a step. Colliders out of reach cost nothing. */
+#include <assert.h>
 #include <string.h>
 
 #include "base/vector.h"
@@ -97,6 +98,7 @@ static void test_all(collisions *c, const cloth_ball *ball, double time, double 
         others->clearance = fmin(others->clearance, clearance);
         others->speed = fmax(others->speed, speed);
     }
+    assert(others->count <= c->scene->collider_count);
 }
 
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
@@ -120,4 +122,5 @@ void collisions_find_near(collisions *c, double time, double h, const double (*x
         if (!(distance_to(k, ball.center, time) > reach_of(&ball) + own))
             c->near_list[c->any_near++] = n;
     }
+    assert(c->any_near <= c->others.count);
 }

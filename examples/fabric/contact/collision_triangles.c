@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Colliders that penetrate a triangle between its vertices: a thin rod, a tip, a small ball. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/arrays.h"
 #include "base/vector.h"
@@ -98,7 +99,7 @@ static int add(met_triangles *met, int triangle, int collider_number, double gap
     if (array_grow(&met->list, &met->room, (long)met->count + 1, sizeof *met->list) != 0)
         return -1;
     met->gap = fmin(met->gap, gap);
-    met->list[met->count++] = (met_triangle){triangle, collider_number};
+    met->list[met->count++] = (met_triangle){.triangle = triangle, .collider = collider_number};
     return 0;
 }
 
@@ -133,24 +134,59 @@ int collisions_find_triangles(collisions *c, double time, double h, const double
     return 0;
 }
 
+/* Computes where the collider penetrates the triangle, unless that is known: the result depends
+ * only on the corners' velocities. */
+static void update(const collisions *c, met_triangle *met, double time, double h,
+                   const double (*x)[3], const double (*v)[3]) {
+    const int *corner = c->mesh->triangle[met->triangle];
+    double now[3][3], p[3][3], u[3][3];
+    for (int n = 0; n < 3; n++)
+        memcpy(now[n], v[corner[n]], sizeof now[n]);
+    if (met->is_known && memcmp(now, met->v, sizeof now) == 0)
+        return;
+    gather(c, met->collider, corner, time, h, x, v, p, u);
+    met->meets = meets(c, met->collider, (const double(*)[3])p, (const double(*)[3])u, met->weight,
+                       &met->found);
+    memcpy(met->v, now, sizeof now);
+    met->is_known = 1;
+}
+
+/* Runs in parallel at the beginning of a round. Afterwards only triangles that impulses of this
+ * round move are computed again. */
+static void update_all(collisions *c, double time, double h, const double (*x)[3],
+                       const double (*v)[3]) {
+    if (c->met.count == 0)
+        return;
+#pragma omp parallel for schedule(dynamic, 4)
+    for (int n = 0; n < c->met.count; n++)
+        update(c, &c->met.list[n], time, h, x, v);
+}
+
+static feature point_of(const collisions *c, const met_triangle *met) {
+    const int *corner = c->mesh->triangle[met->triangle];
+    return (feature){.count = 3,
+                     .vertex = {corner[0], corner[1], corner[2]},
+                     .weight = {met->weight[0], met->weight[1], met->weight[2]}};
+}
+
 double collisions_push_triangles(collisions *c, const movable *of, double time, double h,
                                  const double (*x)[3], double (*v)[3], double *work) {
     double largest = 0;
+    update_all(c, time, h, x, (const double(*)[3])v);
     for (int n = 0; n < c->met.count; n++) {
-        const int number = c->met.list[n].collider;
-        const collider *k = &c->scene->colliders[number];
-        const int *corner = c->mesh->triangle[c->met.list[n].triangle];
-        double p[3][3], u[3][3], speed[3];
-        feature point = {.count = 3, .vertex = {corner[0], corner[1], corner[2]}};
-        approach found;
-        gather(c, number, corner, time, h, x, (const double(*)[3])v, p, u);
-        if (!meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
+        met_triangle *met = &c->met.list[n];
+        double speed[3];
+        update(c, met, time, h, x, (const double(*)[3])v);
+        if (!met->meets)
             continue;
+        const collider *k = &c->scene->colliders[met->collider];
+        const feature point = point_of(c, met);
+        const approach *found = &met->found;
         feature_velocity(&point, (const double(*)[3])v, speed);
         const double change =
-            collisions_given_speed(c, k, &found, h) - vector_dot(found.normal, speed);
+            collisions_given_speed(c, k, found, h) - vector_dot(found->normal, speed);
         if (change > 0 &&
-            impulse_give(of, &point, found.normal, change, k->friction, found.carried, v, work))
+            impulse_give(of, &point, found->normal, change, k->friction, found->carried, v, work))
             largest = fmax(largest, change);
     }
     return largest;
@@ -158,18 +194,17 @@ double collisions_push_triangles(collisions *c, const movable *of, double time, 
 
 void collisions_check_triangles(collisions *c, const movable *of, double time, double h,
                                 const double (*x)[3], const double (*v)[3]) {
-    c->met.left = 0;
+    int left = 0;
+    update_all(c, time, h, x, v);
+#pragma omp parallel for schedule(static) reduction(+ : left)
     for (int n = 0; n < c->met.count; n++) {
-        const int number = c->met.list[n].collider;
-        const collider *k = &c->scene->colliders[number];
-        const int *corner = c->mesh->triangle[c->met.list[n].triangle];
-        feature point = {.count = 3, .vertex = {corner[0], corner[1], corner[2]}};
-        double p[3][3], u[3][3];
-        approach found;
-        gather(c, number, corner, time, h, x, v, p, u);
+        const met_triangle *met = &c->met.list[n];
+        const collider *k = &c->scene->colliders[met->collider];
+        const feature point = point_of(c, met);
         /* A collider halfway between the allowed depth and its middle has not passed yet. */
-        if (meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
-            c->met.left += found.beyond > (1 - TRIANGLE_DEPTH_PART) / 2 * shape_inner_radius(k) &&
-                           impulse_is_possible(of, &point, v, found.normal);
+        left += met->meets &&
+                met->found.beyond > (1 - TRIANGLE_DEPTH_PART) / 2 * shape_inner_radius(k) &&
+                impulse_is_possible(of, &point, v, met->found.normal);
     }
+    c->met.left = left;
 }

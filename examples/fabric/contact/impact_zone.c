@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "impact.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -88,6 +89,7 @@ static double move_together(const self_collision *s, const movable *of, int *par
     for (int i = 0; i < s->mesh->vertex_count; i++) {
         const zone *z = &zones[forest_root(parent, i)];
         double turn[3] = {0, 0, 0}, arm[3], around[3], change[3];
+        assert(z->held <= z->count);
         if (z->count < 2 || !(z->mass > 0))
             continue;
         if (z->held == 0)

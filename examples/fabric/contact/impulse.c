@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "impulse.h"
 
+#include <assert.h>
+
 #include "base/vector.h"
 #include "collision.h"
 
@@ -36,6 +38,7 @@ void movable_move(const movable *of, int i, const double change[3], double v[3])
     const collisions *c = of->bodies;
     double left[CONTACTS_PER_VERTEX];
     const int count = c->now ? c->now[i].count : 0;
+    assert(count <= CONTACTS_PER_VERTEX);
     for (int n = 0; n < count; n++)
         left[n] = leaving_speed(&c->now[i].list[n], v);
     vector_add_scaled(v, 1, change, v);
@@ -64,6 +67,7 @@ static void response(const movable *of, int i, const double v[3], const double d
  * m/s. */
 static double mobility(const movable *of, const feature *f, const double (*v)[3],
                        const double d[3]) {
+    assert(f->count >= 1 && f->count <= 4);
     double sum = 0;
     for (int k = 0; k < f->count; k++) {
         double pushed[3], change[3];
@@ -75,6 +79,7 @@ static double mobility(const movable *of, const feature *f, const double (*v)[3]
 }
 
 void feature_velocity(const feature *f, const double (*v)[3], double speed[3]) {
+    assert(f->count >= 1 && f->count <= 4);
     speed[0] = speed[1] = speed[2] = 0;
     for (int k = 0; k < f->count; k++)
         vector_add_scaled(speed, f->weight[k], v[f->vertex[k]], speed);
@@ -128,6 +133,7 @@ int impulse_give(const movable *of, const feature *f, const double normal[3], do
     double impulse[3] = {0, 0, 0};
     if (!impulse_is_possible(of, f, (const double(*)[3])v, normal))
         return 0;
+    assert(light > 0 && change > 0 && friction >= 0);
     vector_add_scaled(impulse, change / light, normal, impulse);
     *work += apply(of, f, impulse, v);
     if (friction > 0) {

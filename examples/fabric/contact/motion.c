@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "motion.h"
 
+#include <assert.h>
+
 #include "base/vector.h"
 
 static const double degree = 3.14159265358979323846 / 180;
@@ -22,11 +24,13 @@ double motion_end(const collider *k) {
  * them, from 0 to 1. */
 static double between(const collider *k, double time, const keyframe **before,
                       const keyframe **after) {
+    assert(motion_has_keys(k));
     int n = 0;
     while (n < k->keyframe_count && k->keyframes[n].time <= time)
         n++;
     *before = &k->keyframes[n > 0 ? n - 1 : 0];
     *after = &k->keyframes[n < k->keyframe_count ? n : k->keyframe_count - 1];
+    assert((*before)->time <= (*after)->time);
     const double length = (*after)->time - (*before)->time;
     return length > 0 ? (time - (*before)->time) / length : 0;
 }

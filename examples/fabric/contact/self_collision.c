@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "self_collision.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,9 @@
 static const double separation_rate = 0.25;
 /* Pairs that would pass keep this fraction of their distance, or of the gap. */
 static const double kept_part = 0.1;
+/* Threads take this number of pairs at once. Pairs that may meet take a hundred times as long as
+ * the others, and they come together. */
+enum { PAIRS_AT_ONCE = 64 };
 
 /* Assigns each vertex and each edge to the first of its triangles. */
 static int share_out(self_collision *s) {
@@ -117,32 +121,37 @@ static int is_quiet(const self_collision *s, int n) {
 
 static void update_demand(self_collision *s, int n, double h, const double (*x)[3],
                           const double (*v)[3]) {
+    assert(n >= 0 && n < s->pair_count);
     self_demand *to = &s->history.demand[n];
     to->change = required_change(s, &s->pair[n], h, x, v, &to->contact);
+    assert(!(to->change < 0));
 }
 
 /* Runs in parallel at the beginning of a round: marks velocities that changed since the last round,
  * and computes the impulses that pairs need. Most pairs need none, and the sequential part skips
- * them. */
-static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
-                           const double (*v)[3]) {
+ * them. Returns the first pair that needs one: no velocity changes before it. */
+static int evaluate_pairs(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     self_history *history = &s->history;
+    int first = s->pair_count;
     history->round_start = ++history->now;
-#pragma omp parallel
+#pragma omp parallel reduction(min : first)
     {
 #pragma omp for schedule(static)
         for (int i = 0; i < s->mesh->vertex_count; i++)
             if (memcmp(v[i], history->v[i], sizeof v[i]) != 0)
                 history->vertex[i] = history->now;
-#pragma omp for schedule(static)
+#pragma omp for schedule(dynamic, PAIRS_AT_ONCE)
         for (int n = 0; n < s->pair_count; n++) {
             if (is_quiet(s, n))
                 continue;
             update_demand(s, n, h, x, v);
             if (!(history->demand[n].change > 0))
                 history->pair[n] = history->now;
+            else
+                first = n < first ? n : first;
         }
     }
+    return first;
 }
 
 /* Gives pair n the impulse that it needs. Returns the change of the normal velocity, m/s. */
@@ -172,8 +181,8 @@ static double push_pair(self_collision *s, const movable *of, int n, double h, c
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work) {
     double largest = 0;
-    evaluate_pairs(s, h, x, (const double(*)[3])v);
-    for (int n = 0; n < s->pair_count; n++)
+    const int first = evaluate_pairs(s, h, x, (const double(*)[3])v);
+    for (int n = first; n < s->pair_count; n++)
         if (!is_quiet(s, n))
             largest = fmax(largest, push_pair(s, of, n, h, x, v, work));
     memcpy(s->history.v, v, sizeof *v * (size_t)s->mesh->vertex_count);
@@ -208,7 +217,7 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
     s->left = 1;
     if (self_grid_find(s, h, x, v, s->gap) != 0)
         return -1;
-#pragma omp parallel for schedule(static) reduction(+ : passing)
+#pragma omp parallel for schedule(dynamic, PAIRS_AT_ONCE) reduction(+ : passing)
     for (int n = 0; n < s->pair_count; n++)
         passing += self_collision_passes(s, &s->pair[n], h, x, v);
     s->left = passing;

@@ -12,6 +12,8 @@
 #ifndef FABRIC_SELF_COLLISION_H
 #define FABRIC_SELF_COLLISION_H
 
+#include <assert.h>
+
 #include "base/arrays.h"
 #include "impulse.h"
 #include "mesh/mesh.h"
@@ -38,6 +40,7 @@ static inline int forest_root(int *parent, int i) {
 
 /** First index of part number `part`. */
 static inline int self_part_start(int count, int part) {
+    assert(part >= 0 && part <= SELF_PARTS);
     return (int)((long)count * part / SELF_PARTS);
 }
 

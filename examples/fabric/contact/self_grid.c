@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Finds the triangles that may meet: their swept boxes are sorted into the cells of a grid. */
+#include <assert.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,6 +83,7 @@ static int cell_of(double at, double size) {
 }
 
 static unsigned bucket_of(const int cell[3], unsigned buckets) {
+    assert(buckets > 0 && (buckets & (buckets - 1)) == 0);
     const unsigned key = (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^
                          (unsigned)cell[2] * 83492791u;
     return (key ^ key >> 15) & (buckets - 1);
@@ -160,6 +162,7 @@ static void sort_entries(self_grid *g, int entries, int buckets) {
         start[b + 2] += start[b + 1];
     for (int e = 0; e < entries; e++)
         g->entry[start[loose[e].bucket + 1]++] = loose[e];
+    assert(start[0] == 0 && start[buckets] == entries);
 }
 
 /* Fills the buckets. Returns their number, or 0 if out of memory or if a box is not finite. */
@@ -173,6 +176,7 @@ static int fill(self_collision *s, double *size) {
     double cells;
     while ((cells = count_entries(s, *size)) > (double)MOST_CELLS_EACH * triangles)
         *size *= 2;
+    assert(cells >= 0 && cells <= INT_MAX);
     const int entries = (int)cells;
     int buckets = 64;
     while (buckets < entries && buckets < INT_MAX / 4)

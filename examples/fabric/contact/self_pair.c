@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Distance of a pair (a vertex and a triangle, or two edges), and the time at which its features
  * meet. */
+#include <assert.h>
+
 #include "base/vector.h"
 #include "nearest.h"
 #include "self_collision.h"
@@ -149,6 +151,7 @@ static int turning_points(const double c[4], double at[2]) {
         at[0] = at[1];
         at[1] = swap;
     }
+    assert(count < 2 || at[0] <= at[1]);
     return count;
 }
 

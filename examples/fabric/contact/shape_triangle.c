@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "shape_triangle.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/vector.h"
@@ -51,6 +52,7 @@ static double lower_bound(const search *s, const double (*corner)[3], const doub
 
 /* Searches the part with these corners, given as weights of the triangle's corners. */
 static void search_part(search *s, const double (*corner)[3], int depth) {
+    assert(depth <= deepest);
     double weight[3], middle[3], normal[3], half[3][3];
     for (int a = 0; a < 3; a++)
         weight[a] = (corner[0][a] + corner[1][a] + corner[2][a]) / 3;

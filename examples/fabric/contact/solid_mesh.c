@@ -2,6 +2,7 @@
 /* Colliders as triangles: for files, and for barriers (barrier.h). */
 #include "contact/shape.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +14,8 @@ enum { AROUND = 48, DOWN = 24 };
 static const double PI = 3.14159265358979323846;
 
 static void set_triangle(mesh *m, int number, int a, int b, int c) {
+    assert(number >= 0 && number < m->triangle_count);
+    assert(a < m->vertex_count && b < m->vertex_count && c < m->vertex_count);
     m->triangle[number][0] = a;
     m->triangle[number][1] = b;
     m->triangle[number][2] = c;
@@ -28,6 +31,7 @@ static int box_mesh(const collider *c, mesh *m) {
     for (int k = 0; k < 8; k++)
         for (int a = 0; a < 3; a++)
             m->position[k][a] = (k >> a & 1) != 0 ? c->size[a] : -c->size[a];
+    static_assert(sizeof corner == 12 * sizeof *m->triangle, "a row for each triangle");
     memcpy(m->triangle, corner, sizeof corner);
     return 0;
 }
@@ -48,6 +52,7 @@ static int rings_mesh(mesh *m, int rings) {
             set_triangle(m, t++, above + k, below + next, above + next);
         }
     }
+    assert(t == m->triangle_count);
     return 0;
 }
 

@@ -75,7 +75,7 @@ int mesh_connect(mesh *m, int *non_manifold, char *error) {
         add_edge(m, &sides[i], together);
         *non_manifold += together > 2;
     }
-    assert(m->edge_count <= side_count && m->hinge_count <= m->edge_count);
+    assert(m->edge_count <= side_count && m->hinge_count <= side_count / 2);
     free(sides);
     return 0;
 }

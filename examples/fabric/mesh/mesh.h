@@ -17,7 +17,8 @@ typedef struct mesh {
     int *number;        /* [vertex_count] each vertex's number before mesh_reorder; NULL: unknown */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */
-    int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings */
+    int (*hinge)[4];    /* [hinge_count] two triangles that share an edge: the edge's two vertices,
+                           then the third vertex of each triangle (the wings) */
 } mesh;
 
 /** Order of vertices; triangles, edges and hinges are then sorted by their vertices. */

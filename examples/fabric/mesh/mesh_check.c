@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Defects of meshes that cloth must not have. */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +13,7 @@
 enum { ERROR_SIZE = 256 };
 
 const char *mesh_problem_name(int problem) {
+    assert(problem >= 0 && problem < MESH_PROBLEM_COUNT);
     static const char *const names[MESH_PROBLEM_COUNT] = {
         [MESH_FLAT_TRIANGLE] = "triangles without area, which carry no force",
         [MESH_NO_MATERIAL] = "triangles without material coordinates, taken as they start",
@@ -25,6 +27,7 @@ const char *mesh_problem_name(int problem) {
 }
 
 static void note(mesh_problem *found, int problem, int number) {
+    assert(problem >= 0 && problem < MESH_PROBLEM_COUNT);
     if (found[problem].count++ == 0)
         found[problem].first = number;
 }
@@ -71,6 +74,7 @@ static sorted_triangle sorted(const int corner[3], int number) {
                 s.vertex[q] = s.vertex[q + 1];
                 s.vertex[q + 1] = swap;
             }
+    assert(s.vertex[0] <= s.vertex[1] && s.vertex[1] <= s.vertex[2]);
     return s;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Orders vertices along Hilbert's curve (Hilbert, Ueber die stetige Abbildung einer Linie auf ein
  * Flaechenstueck, 1891). Points near each other on the curve are near in the plane. */
+#include <assert.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@ typedef struct stop {
 /** Returns the number of cells that the curve passes before cell (x, y). The curve is recursive: in
  *  each quarter of a square it is the same, mirrored or rotated. */
 static uint32_t along_curve(uint32_t x, uint32_t y) {
+    assert(x < 1u << BITS && y < 1u << BITS);
     uint32_t along = 0;
     for (uint32_t half = 1u << (BITS - 1); half > 0; half /= 2) {
         const uint32_t right = (x & half) > 0, upper = (y & half) > 0;

@@ -120,6 +120,7 @@ static void sort_by_degree(const mesh_graph *g, int *vertices, int count) {
 /** Breadth-first search from the root, neighbours in ascending order of degree. Fills order[0 ..]
  *  with the root's connected component. Returns its number of vertices. */
 static int cuthill_mckee(const mesh_graph *g, search *s, int *order, int root) {
+    assert(root >= 0 && root < g->vertex_count);
     int reached = 1;
     s->searches++;
     order[0] = root;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "mesh_parts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -37,6 +38,7 @@ static void place_border(double (*points)[2], int boundary, random_source *sourc
             next++;
         }
     }
+    assert(next == boundary);
 }
 
 static double clamp(double value, double limit) {
@@ -61,6 +63,7 @@ static void place_inside(double (*points)[2], int count, double spacing, random_
             points[next][1] = y * width + ROW_JITTER * spacing * random_signed(source);
         }
     }
+    assert(next == count);
 }
 
 static int cell_of(const cell_grid *grid, double coordinate) {
@@ -81,6 +84,7 @@ static void fill_grid(cell_grid *grid, double (*points)[2], int count) {
         const int c = cell_of(grid, points[i][1]) * grid->side + cell_of(grid, points[i][0]);
         grid->item[--grid->start[c]] = i;
     }
+    assert(grid->start[0] == 0 && grid->start[cells] == count);
 }
 
 /** Adds to `push` the repulsion of `point` by the points in one row of neighbouring cells. A point
@@ -120,6 +124,7 @@ static void relax(cell_grid *grid, double (*points)[2], double (*moved)[2], int 
 }
 
 int mesh_points(double (*points)[2], int count, int boundary, unsigned seed) {
+    assert(boundary >= 4 && count > boundary);
     random_source source = {seed};
     arrays own = {0};
     /* A border point occupies half the area of an inner one. */

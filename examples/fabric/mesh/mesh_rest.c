@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "mesh_rest.h"
 
+#include <assert.h>
+
 #include "base/vector.h"
 
 static double area_of(const double uv[3][2]) {
@@ -42,6 +44,8 @@ static void from_position(const mesh *m, const int corner[3], double uv[3][2]) {
 }
 
 mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[3][2]) {
+    assert(i >= 0 && i < m->vertex_count);
+    assert(j >= 0 && j < m->vertex_count && k >= 0 && k < m->vertex_count);
     const int corner[3] = {i, j, k};
     double space[3][2];
     from_material(m, corner, uv);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "mesh_sides.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 /* Order for qsort of sides with the same lower vertex: by higher vertex, then by triangle. */
@@ -30,6 +31,7 @@ static void collect(const mesh *m, mesh_side *sides, int *start) {
             const int low = a < b ? a : b;
             sides[--start[low]] = (mesh_side){low, a < b ? b : a, t, k};
         }
+    assert(start[0] == 0 && start[m->vertex_count] == 3 * m->triangle_count);
 }
 
 mesh_side *mesh_sides_new(const mesh *m) {
@@ -48,6 +50,7 @@ mesh_side *mesh_sides_new(const mesh *m) {
 }
 
 int mesh_sides_together(const mesh_side *first, int count) {
+    assert(count >= 1);
     int together = 1;
     while (together < count && first[together].low == first->low &&
            first[together].high == first->high)

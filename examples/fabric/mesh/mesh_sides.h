@@ -3,6 +3,8 @@
 #ifndef FABRIC_MESH_SIDES_H
 #define FABRIC_MESH_SIDES_H
 
+#include <assert.h>
+
 #include "mesh.h"
 
 typedef struct mesh_side {
@@ -18,6 +20,7 @@ mesh_side *mesh_sides_new(const mesh *m);
 
 /** The vertex of the side's triangle that is not on the side. */
 static inline int mesh_side_wing(const mesh *m, const mesh_side *side) {
+    assert(side->number >= 0 && side->number < 3);
     return m->triangle[side->triangle][(side->number + 2) % 3];
 }
 

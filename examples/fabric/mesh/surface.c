@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "surface.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,6 +45,7 @@ double surface_reach(const surface *s) {
 }
 
 const double *surface_normal(const surface *s, int vertex) {
+    assert(vertex >= 0 && vertex < s->mesh.vertex_count);
     return s->vertex[vertex];
 }
 
@@ -140,6 +142,8 @@ static int split(surface *s, const tree_node *node, int first, int count) {
 }
 
 static void build(surface *s, int index, int first, int count, int depth) {
+    assert(first >= 0 && count > 0 && first + count <= s->count);
+    assert(s->node_count <= 2 * s->count);
     tree_node *node = &s->node[index];
     bound(s, node, first, count);
     node->first = first;
@@ -266,6 +270,7 @@ double surface_distance(const surface *s, const double p[3], double normal[3]) {
             take_triangle(s, s->order[node->first + n], p, &best);
         if (node->count > 0)
             continue;
+        assert(size <= DEEPEST);
         const int left_nearer =
             box_square(&s->node[node->first], p) <= box_square(&s->node[node->first + 1], p);
         stack[size++] = node->first + left_nearer; /* the nearer one on top */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "scene_keys.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,11 +41,17 @@ static const value_range not_negative = {0.0, 1e300, 0};
     { NULL, VALUE_TEXT, 0, 0, 0, NULL, 0, NULL, NULL, NULL }
 
 const char *const scene_orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
+_Static_assert(sizeof scene_orders / sizeof *scene_orders == MESH_ORDER_DISSECTED + 2,
+               "a word for each value, then NULL");
 static const char *const contacts[] = {"constraints", "barrier", NULL};
+_Static_assert(sizeof contacts / sizeof *contacts == CONTACT_BARRIER + 2,
+               "a word for each value, then NULL");
 static const char *const untangles[] = {"off", "on", NULL};
 static const scene_key contact_keys[] = {CHOICE(scene_contact, method, 0, contacts),
                                          CHOICE(scene_contact, untangle, 0, untangles), END};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
+_Static_assert(sizeof kinds / sizeof *kinds == COLLIDER_MESH + 2,
+               "a word for each value, then NULL");
 
 const char *const scene_integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
 const char *const scene_methods[] = {"conjugate-gradients", "direct", NULL};
@@ -60,7 +67,11 @@ const char *const scene_precisions[] = {"double", "float", "mixed", NULL};
 #define GENERATED (1u << SHEET_GENERATED)
 #define FROM_FILE (1u << SHEET_FILE)
 static const char *const rests[] = {"positions", "texture", NULL};
+_Static_assert(sizeof rests / sizeof *rests == REST_TEXTURE + 2,
+               "a word for each value, then NULL");
 static const char *const angles[] = {"flat", "mesh", NULL};
+_Static_assert(sizeof angles / sizeof *angles == ANGLES_OF_MESH + 2,
+               "a word for each value, then NULL");
 static const scene_key mesh_keys[] = {
     KIND_BY_KEYS(scene_cloth, from),
     KEY(scene_cloth, vertices, VALUE_WHOLE, 1, 1, BETWEEN(5, 2e7), GENERATED),
@@ -76,12 +87,16 @@ static const scene_key mesh_keys[] = {
     VECTOR(scene_cloth, origin, 0, 3),
     DIRECTION(scene_cloth, normal, 0),
     END};
+_Static_assert(sizeof mesh_keys / sizeof *mesh_keys <= MOST_KEYS + 1,
+               "no more keys than a reader counts");
 
 /* The parameters of effects, from effects.def. */
 static const scene_key material_keys[] = {NUMBER(scene_material, density, 1, &positive),
 #define MATERIAL(name, required) NUMBER(scene_material, name, required, &not_negative),
 #include "effects/effects.def"
                                           END};
+_Static_assert(sizeof material_keys / sizeof *material_keys <= MOST_KEYS + 1,
+               "no more keys than a reader counts");
 
 static const scene_key surroundings_keys[] = {
     VECTOR(scene_surroundings, gravity, 0, 3),
@@ -105,6 +120,8 @@ static const scene_key solution_keys[] = {
     WHOLE(scene_solution, newton_iterations, 0, BETWEEN(1, 1e6)),
     NUMBER(scene_solution, sleep, 0, &not_negative),
     END};
+_Static_assert(sizeof solution_keys / sizeof *solution_keys <= MOST_KEYS + 1,
+               "no more keys than a reader counts");
 
 static const char *const switches[] = {"on", "off", NULL};
 static const scene_key monitor_keys[] = {
@@ -135,6 +152,8 @@ static const scene_key pin_keys[] = {KIND_BY_KEYS(pin, by),
                                      NUMBER(pin, move_until, 0, &not_negative),
                                      NUMBER(pin, until, 0, &not_negative),
                                      END};
+_Static_assert(sizeof pin_keys / sizeof *pin_keys <= MOST_KEYS + 1,
+               "no more keys than a reader counts");
 
 static const scene_key keyframe_keys[] = {NUMBER(keyframe, time, 1, &not_negative),
                                           VECTOR(keyframe, move, 0, 3),
@@ -165,6 +184,8 @@ static const scene_key collider_keys[] = {
     {"motion", VALUE_LIST, offsetof(collider, keyframes), 0, 1, &any, 0, NULL, keyframe_keys,
      &keyframe_list},
     END};
+_Static_assert(sizeof collider_keys / sizeof *collider_keys <= MOST_KEYS + 1,
+               "no more keys than a reader counts");
 
 static const pin pin_defaults;
 static const collider collider_defaults = {
@@ -203,6 +224,7 @@ void scene_free_items(const scene_list *list, char *items, long count) {
 }
 
 char *scene_items(const scene_key *key, const char *source, int *count) {
+    assert(key->kind == VALUE_LIST || key->kind == VALUE_NUMBERS);
     char *items;
     memcpy(&items, source + key->offset, sizeof items);
     memcpy(count, source + key->list->count_offset, sizeof *count);
@@ -210,6 +232,7 @@ char *scene_items(const scene_key *key, const char *source, int *count) {
 }
 
 void scene_set_items(const scene_key *key, char *target, void *items, int count) {
+    assert(count >= 0);
     int old_count;
     char *old = scene_items(key, target, &old_count);
     scene_free_items(key->list, old, old_count);

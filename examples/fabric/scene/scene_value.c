@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "scene_value.h"
 
+#include <assert.h>
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -56,6 +57,7 @@ static long item_count(const yaml_node_t *list) {
 }
 
 static const yaml_node_t *item_at(const scene_source *from, const yaml_node_t *list, long k) {
+    assert(list->type == YAML_SEQUENCE_NODE && k >= 0 && k < item_count(list));
     return yaml_document_get_node(from->document, list->data.sequence.items.start[k]);
 }
 
@@ -302,6 +304,7 @@ const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *nod
             continue;
         if (strcmp(keys->name, name) == 0)
             return keys;
+        assert(count < MOST_KEYS);
         names[count++] = keys->name;
     }
     list_words_and_guess(expected, name, names, count);
@@ -370,6 +373,7 @@ static int read_kind(const scene_source *from, const yaml_node_t *node, const sc
 int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                        void *target, const char *path) {
     unsigned seen = 0; /* one bit for each key; a section has at most MOST_KEYS */
+    _Static_assert(MOST_KEYS <= 8 * sizeof seen, "one bit for each key");
     if (node->type != YAML_MAPPING_NODE)
         return wrong_type(from, node, path[0] != '\0' ? path : "the scene", "a section of keys");
     const int kind = read_kind(from, node, keys, path);
@@ -389,6 +393,7 @@ int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const 
             return -1;
         if ((seen >> (key - keys) & 1u) != 0)
             return scene_complain(from, key_node, "key '%s' stands here twice", key->name);
+        assert(key - keys < MOST_KEYS);
         seen |= 1u << (key - keys);
         snprintf(value_path, sizeof value_path, path[0] != '\0' ? "%.90s.%.30s" : "%.0s%.30s", path,
                  key->name);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "scene.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,6 +59,7 @@ static void write_list(FILE *file, const scene_key *key, const char *source, int
 }
 
 void scene_write_value(FILE *file, const scene_key *key, const char *source) {
+    assert(key->kind != VALUE_SECTION && key->kind != VALUE_LIST);
     const void *field = source + key->offset;
     switch (key->kind) {
     case VALUE_TEXT:

@@ -7,6 +7,7 @@
  */
 #include "solver.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -52,6 +53,8 @@ static void drop_block_jacobi(solver *s) {
 }
 
 int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error) {
+    assert(A->row_count == s->count);
+    assert(!s->direct && !s->packed && !s->domains);
     s->options = *options;
     if (options->method == METHOD_DIRECT) {
         s->direct = direct_solver_new(A, error);
@@ -261,6 +264,7 @@ void solver_reference_residual(solver *s, const linear_system *system, const con
 }
 
 double solver_goal(const solver_limits *limits, double reference) {
+    assert(limits->tolerance >= 0 && limits->floor >= 0);
     const double relative = limits->tolerance * limits->tolerance * reference;
     const double absolute = limits->floor * limits->floor;
     return relative > absolute ? relative : absolute;
@@ -268,6 +272,7 @@ double solver_goal(const solver_limits *limits, double reference) {
 
 double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
                      double *reference) {
+    assert(s->inverse && s->sum_direction && s->sum_residual);
     preconditioner_build(&system->A, c, s->inverse);
     const int which = solver_apply(c, dv);
     clear(s->product, s->count);
@@ -298,6 +303,8 @@ static solver_status solve_block_jacobi(solver *s, const linear_system *system,
 
 solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
                            const solver_limits *limits, double (*dv)[3], long *iterations) {
+    assert((s->direct != NULL) + (s->packed != NULL) + (s->domains != NULL) <= 1);
+    assert(system->A.row_count == s->count && c->count == s->count);
     if (!s->direct && !s->packed && !s->domains)
         return solve_block_jacobi(s, system, c, limits, dv, iterations);
     const solver_status status =

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "solver_direct.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -39,6 +40,7 @@ static void lay_out(const block_matrix *A, cholmod_sparse *to) {
                     row[next++] = 3 * A->column[k] + r;
         }
     start[3 * A->row_count] = next;
+    assert((size_t)next == to->nzmax);
 }
 
 direct_solver *direct_solver_new(const block_matrix *A, char *error) {
@@ -115,6 +117,7 @@ static void fill(direct_solver *d, const block_matrix *A, const constraints *giv
             for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
                 for (int r = A->column[k] == i ? c : 0; r < 3; r++)
                     value[next++] = entry(A, given, i, k, c, r);
+    assert((size_t)next == d->matrix->nzmax);
 }
 
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,

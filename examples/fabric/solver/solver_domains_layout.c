@@ -2,6 +2,7 @@
 /* The division of the matrix among the domains, and the domains' values. */
 #include "solver_domains_parts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@ int domain_count(int vertices) {
 }
 
 int domain_start(int vertices, int domain) {
+    assert(domain >= 0 && domain <= domain_count(vertices));
     return (int)((long long)vertices * domain / domain_count(vertices));
 }
 
@@ -73,18 +75,30 @@ static int lay_out(domain_solver *d, block_matrix *m) {
  * memory. */
 static int lay_out_columns(domain_solver *d) {
     const block_matrix *m = &d->across;
-    d->reached_start = arrays_add(&d->own, (size_t)m->row_count + 2, sizeof *d->reached_start);
-    d->reached = arrays_add(&d->own, (size_t)m->block_count + 1, sizeof *d->reached);
+    int *start = arrays_add(&d->own, (size_t)m->row_count + 2, sizeof *start);
+    reached *entry = arrays_add(&d->own, (size_t)m->block_count + 1, sizeof *entry);
+    d->columns = (reached_columns){start, entry};
     if (d->own.failed)
         return -1;
     for (int k = 0; k < m->block_count; k++)
-        d->reached_start[m->column[k] + 2]++;
+        start[m->column[k] + 2]++;
     for (int j = 2; j < m->row_count + 2; j++)
-        d->reached_start[j] += d->reached_start[j - 1];
+        start[j] += start[j - 1];
     for (int i = 0; i < m->row_count; i++)
         for (int k = m->row_start[i]; k < m->row_start[i + 1]; k++)
-            d->reached[d->reached_start[m->column[k] + 1]++] = (reached){i, k};
+            entry[start[m->column[k] + 1]++] = (reached){i, k};
     return 0;
+}
+
+/* Sets each domain's neighbours: the domains of the other parity with which it shares blocks. */
+static void find_neighbours(domain_solver *d) {
+    const block_matrix *m = &d->across;
+    for (int i = 0; i < m->row_count; i++)
+        for (int k = m->row_start[i]; k < m->row_start[i + 1]; k++) {
+            const int even = d->domain[i], odd = d->domain[m->column[k]];
+            domain_turn_add_neighbour(&d->turn[even], odd);
+            domain_turn_add_neighbour(&d->turn[odd], even);
+        }
 }
 
 static int allocate(domain_solver *d) {
@@ -92,6 +106,7 @@ static int allocate(domain_solver *d) {
     double(**vectors[])[3] = {&d->direction, &d->residual, &d->correction, &d->swept, &d->image};
     d->start = arrays_add(&d->own, (size_t)d->count + 1, sizeof *d->start);
     d->domain = arrays_add(&d->own, rows, sizeof *d->domain);
+    d->turn = arrays_add(&d->own, (size_t)d->count + 1, sizeof *d->turn);
     d->place = arrays_add(&d->own, (size_t)d->A->block_count + 1, sizeof *d->place);
     d->root = arrays_add(&d->own, rows, sizeof *d->root);
     d->sum_direction = arrays_add(&d->own, (size_t)d->count, sizeof *d->sum_direction);
@@ -114,8 +129,11 @@ domain_solver *domain_solver_divided(const block_matrix *A, int count, const int
                 d->domain[i] = k;
         if (lay_out(d, &d->within) == 0 && lay_out(d, &d->across) == 0 &&
             lay_out(d, &d->between) == 0 && lay_out_columns(d) == 0) {
+            assert(d->within.block_count + d->across.block_count + d->between.block_count ==
+                   A->block_count);
             /* `between` always has a diagonal. */
             d->has_between = d->between.block_count > A->row_count;
+            find_neighbours(d);
             return d;
         }
     }

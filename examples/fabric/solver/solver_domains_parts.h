@@ -8,6 +8,7 @@
 #ifndef FABRIC_SOLVER_DOMAINS_PARTS_H
 #define FABRIC_SOLVER_DOMAINS_PARTS_H
 
+#include "solver_domains_turns.h"
 #include "solver_parts.h"
 #include "system/constraint.h"
 #include "system/system.h"
@@ -17,17 +18,23 @@ typedef struct reached {
     int row, block;
 } reached;
 
+/* The blocks of `across` by columns. */
+typedef struct reached_columns {
+    int *start;     /* [rows + 1] index in `entry` of a column's first block */
+    reached *entry; /* [blocks of `across`] the blocks column by column, rows ascending */
+} reached_columns;
+
 struct domain_solver {
     const block_matrix *A;
     int count;               /* number of domains */
     int *start;              /* [count + 1] each domain's first vertex */
     int *domain;             /* [rows] each vertex's domain */
+    domain_turn *turn;       /* [count] */
     int *place;              /* [A's blocks] each block's index in `within`, `across` or
                               * `between` */
     block_matrix within;     /* U's blocks within domains */
     block_matrix across;     /* U's blocks with an even domain's row and an odd domain's column */
-    int *reached_start;      /* [rows + 1] index in `reached` of a column's first block */
-    reached *reached;        /* [blocks of `across`] the blocks column by column, rows ascending */
+    reached_columns columns; /* the same blocks by columns */
     block_matrix between;    /* the blocks of E, with D^ - 2 I as the diagonal */
     int has_between;         /* has E any blocks? */
     double (*root)[3][3];    /* [rows] C^-1, lower triangles */

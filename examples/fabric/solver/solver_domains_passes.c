@@ -41,9 +41,9 @@ void domain_sweep_up(const domain_solver *d, int domain, const double (*from)[3]
  * swept before. */
 static void subtract_column(const domain_solver *d, int column, double (*r)[3]) {
     double t0 = 0, t1 = 0, t2 = 0;
-    for (int k = d->reached_start[column]; k < d->reached_start[column + 1]; k++) {
-        const double *w = r[d->reached[k].row];
-        const double(*u)[3] = (const double(*)[3])d->across.value[d->reached[k].block];
+    for (int k = d->columns.start[column]; k < d->columns.start[column + 1]; k++) {
+        const double *w = r[d->columns.entry[k].row];
+        const double(*u)[3] = (const double(*)[3])d->across.value[d->columns.entry[k].block];
         t0 -= u[0][0] * w[0] + u[1][0] * w[1] + u[2][0] * w[2];
         t1 -= u[0][1] * w[0] + u[1][1] * w[1] + u[2][1] * w[2];
         t2 -= u[0][2] * w[0] + u[1][2] * w[1] + u[2][2] * w[2];

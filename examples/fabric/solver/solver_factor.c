@@ -93,6 +93,7 @@ void gauss_seidel_root(const double block[3][3], double root[3][3]) {
 
 /* Every preconditioner but incomplete Cholesky takes C from A's diagonal. */
 static void diagonal_roots(factored *f, const block_matrix *A, preconditioner_kind kind) {
+    assert(kind != PRECONDITIONER_INCOMPLETE_CHOLESKY);
     double mean = 0;
     for (int i = 0; i < A->row_count; i++)
         for (int a = 0; a < 3; a++)
@@ -197,6 +198,7 @@ static void scale(factored *f, const block_matrix *A, double diagonal_shift) {
 
 void factored_build(factored *f, const block_matrix *A, const constraints *c,
                     preconditioner_kind kind) {
+    assert((kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) == (f->factor != NULL));
     for (int i = 0; i < A->row_count; i++)
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             prefiltered_block(A, c, i, k, f->upper[k]);

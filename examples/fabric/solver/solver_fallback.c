@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "solver_fallback.h"
 
+#include <assert.h>
 #include <stddef.h>
 
 #include "solver_direct.h"
@@ -49,6 +50,7 @@ static void consider(solver_fallback *f, const linear_system *system, long itera
 solver_status solver_fallback_solve(solver_fallback *f, solver *s, const linear_system *system,
                                     const constraints *c, const solver_limits *limits,
                                     double (*dv)[3], long *iterations) {
+    assert(f->next >= 0 && !(f->direct && f->failed));
     if (f->next > 0) {
         f->next--;
         return solve_directly(f, s, system, c, dv, iterations);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "solver_precondition.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -44,6 +45,7 @@ static void invert_free(const double a[3][3], const double S[3][3], int given, d
 }
 
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]) {
+    assert(A->row_count == c->count);
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < A->row_count; i++) {
         double P[3][3];
@@ -57,6 +59,7 @@ void preconditioner_build(const block_matrix *A, const constraints *c, double (*
 
 void prefiltered_block(const block_matrix *A, const constraints *c, int i, int k,
                        double out[3][3]) {
+    assert(k >= A->row_start[i] && k < A->row_start[i + 1]);
     const int j = A->column[k];
     if (c->given[i] == 0 && c->given[j] == 0) {
         memcpy(out, A->value[k], sizeof(double[3][3]));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "barrier_step.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -284,6 +285,7 @@ static void make_conjugate(simulation *sim) {
 /* Returns the position of the minimum of the parabola that has this slope at 0 and this change of
  * value at `part`, but at most `most`. Returns `most` if the parabola has no minimum. */
 static double lowest_part(double slope, double change, double part, double most) {
+    assert(part > 0 && part <= most);
     const double curvature = 2 * (change - slope * part) / (part * part);
     return curvature > 0 ? fmin(most, -slope / curvature) : most;
 }
@@ -359,6 +361,7 @@ static solver_status iterate(simulation *sim, int number) {
     if (barrier_find_pairs(b, read_only(b->x), read_only(b->displacement)) != 0)
         return SOLVER_NOT_FINITE;
     const double part = barrier_allowed_part(b, read_only(b->x), read_only(b->displacement));
+    assert(!(part > 1));
     s->blocked = (drive > 0 && number >= most_drives) || !(part > 0);
     if (s->blocked)
         return SOLVER_NOT_FINITE;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "integrator.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "barrier_step.h"
@@ -26,6 +27,7 @@ int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_
                                     &memory->at_v,        &memory->lag,      &memory->last,
                                     &memory->last_defect, &memory->x_before, &memory->v_before};
     const int count = kind == INTEGRATOR_BDF2 ? 9 : 7;
+    assert((size_t)count <= sizeof vectors / sizeof *vectors);
     for (int k = 0; k < count; k++)
         *vectors[k] = arrays_add(&memory->own, (size_t)vertex_count + 1, sizeof(double[3]));
     return memory->own.failed ? -1 : 0;
@@ -38,6 +40,8 @@ void integrator_free(integrator_memory *memory) {
 
 /* Sets X, V and tau of the current step; with two_states by BDF2, from the last two states. */
 static void set_stage(simulation *sim, int two_states) {
+    assert(!two_states ||
+           (sim->integrator.kind == INTEGRATOR_BDF2 && sim->integrator.h_before > 0));
     integrator_memory *of = &sim->integrator;
     const double ratio = two_states ? sim->step.h / of->h_before : 0;
     const double newer = (1 + ratio) * (1 + ratio) / (1 + 2 * ratio);

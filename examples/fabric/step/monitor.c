@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "monitor.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/chunk_sum.h"
@@ -8,6 +9,7 @@
 #include "effects/outer_force.h"
 
 const char *monitor_verdict_name(monitor_verdict verdict) {
+    assert(verdict < STEP_VERDICT_COUNT);
     static const char *const names[STEP_VERDICT_COUNT] = {
         [STEP_GOOD] = "good",       [STEP_NOT_FINITE] = "not finite",
         [STEP_STRAIN] = "strain",   [STEP_NOT_SOLVED] = "not solved",
@@ -102,6 +104,7 @@ static monitor_verdict complain(monitor *m, monitor_verdict verdict, double valu
 
 /* Is the fault accepted, because halving is impossible or would not help? Stores the answer. */
 static int tolerates(monitor *m, const monitored_step *step, monitor_verdict verdict) {
+    assert(verdict > STEP_GOOD && verdict < STEP_VERDICT_COUNT);
     const int is_contact = verdict == STEP_PASSING || verdict == STEP_PENETRATION;
     m->tolerated[verdict] = step->shortest || (is_contact && step->futile);
     return m->tolerated[verdict];
@@ -156,6 +159,7 @@ monitor_verdict monitor_check(monitor *m, const monitored_step *step) {
 }
 
 int monitor_futile_parts(const monitor *m) {
+    assert(m->passing_in_a_row >= 0);
     enum { steps_let_pass = 32, most_doublings = 20 };
     const long doublings = m->passing_in_a_row / steps_let_pass;
     return 1 << (doublings < most_doublings ? doublings : most_doublings);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "integrator.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/clock.h"
@@ -86,6 +87,7 @@ static double slope(const simulation *sim, const double (*r)[3]) {
 }
 
 static void cut_step(simulation *sim, double factor) {
+    assert(factor > 0 && factor < 1);
     for (int i = 0; i < sim->mesh->vertex_count; i++) {
         const double *from = sim->integrator.last[i];
         double step[3];
@@ -123,6 +125,7 @@ static solver_status solve_linear(simulation *sim, double relative, double floor
 }
 
 solver_status newton_solve(simulation *sim) {
+    assert(sim->integrator.kind != INTEGRATOR_LINEAR_EULER);
     integrator_memory *of = &sim->integrator;
     const scene *s = sim->scene;
     const size_t bytes = sizeof *sim->step.dv * (size_t)sim->mesh->vertex_count;

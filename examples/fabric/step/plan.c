@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan.h"
 
+#include <assert.h>
+
 #include "base/vector.h"
 #include "simulation_state.h"
 #include "timing.h"
@@ -40,6 +42,7 @@ int plan_events(const scene *s, double *time, int most) {
 }
 
 static void set_effect(simulation *sim, int effect, const char *name, int active, long elements) {
+    assert(effect >= 0 && effect < EFFECT_COUNT);
     sim->account.effects[effect] = (effect_account){
         .name = name, .active = active, .on = active, .elements = active ? elements : 0};
 }

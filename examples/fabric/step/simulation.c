@@ -6,6 +6,7 @@
  */
 #include "simulation.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,6 +35,7 @@ static void find_contacts(simulation *sim) {
 }
 
 void collisionDetection(simulation *sim) {
+    assert(sim->step.guess_h > 0);
     const double start = clock_seconds();
     const double scale = sim->step.h / sim->step.guess_h;
     if (sim->barrier) {
@@ -77,6 +79,7 @@ monitored_step simulation_monitored(simulation *sim) {
 }
 
 static void accept(simulation *sim) {
+    assert(sim->step.verdict == STEP_GOOD && sim->step.ticks > 0);
     const size_t count = (size_t)sim->mesh->vertex_count;
     integrator_accept(sim);
     if (!sim->barrier)

@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "team.h"
 
+#include <assert.h>
+
 #include "base/clock.h"
 
 #ifdef _OPENMP
 #include <omp.h>
 #endif
 
-/* share: the fraction of the time that trials may cost. margin: limit of a trial's time relative to
- * the expected time. gain: a level replaces the chosen one if its relative time is below this. */
+/* share: the fraction of the time that trials may cost. margin: a trial ends when it takes more
+ * than this times the expected time. gain: the number of threads of a trial is adopted if the trial
+ * takes less than this times the expected time. */
 static const double share = 0.02, margin = 1.5, gain = 0.97;
 /* Weight of a new round in the exponential moving averages. */
 static const double weight = 0.3;
@@ -87,9 +90,12 @@ static double predicted(const team_level *at, long iterations) {
 
 /* Returns the level of the next round: that of a trial, or the chosen one if no trial is due. */
 static int next_trial(const team *t) {
+    assert(t->level >= 0 && t->level < t->levels);
     const int other = t->level + (t->upward ? -1 : 1);
     const team_level *at = &t->at[t->level];
-    if (at->rounds < SETTLED || other < 0 || other >= t->levels)
+    if (t->confirms && t->rested > 0)
+        return other;
+    if (at->rounds < SETTLED || t->rested < SETTLED || other < 0 || other >= t->levels)
         return t->level;
     const double least = (margin - 1) * predicted(at, t->last_iterations);
     const double risk = t->at[other].risk > least ? t->at[other].risk : least;
@@ -123,12 +129,31 @@ static void take_in(team_level *at, const team_round *round) {
     at->rounds++;
 }
 
-/* Evaluates a trial: chooses its level, or makes the next trial go in the other direction. */
+/* The time that a trial must beat: that of a usual round, and of the one before a second trial. */
+static double time_to_beat(const team *t, long iterations) {
+    const double usual = predicted(&t->at[t->level], iterations);
+    const double before = t->confirms ? predicted(&t->between, iterations) : usual;
+    return before < usual ? before : usual;
+}
+
+static void change_direction(team *t, int better) {
+    const int can_up = t->level > 0, can_down = t->level + 1 < t->levels;
+    const int wants_up = better ? t->upward : !t->upward;
+    t->upward = wants_up ? can_up : !can_down;
+}
+
+/* Evaluates a trial: chooses its level if it is the second one that is faster. Otherwise the next
+ * trial goes in the other direction. */
 static void evaluate_trial(team *t, const team_round *round) {
+    assert(t->trial != t->level && t->trial < t->levels);
     team_level *at = &t->at[t->trial];
-    const double expected = predicted(&t->at[t->level], round->iterations);
+    const double expected = time_to_beat(t, round->iterations);
     const double loss = round->seconds - expected;
-    const int better = !t->ended && round->seconds < gain * expected;
+    const int better = !t->ended && round->seconds < gain * expected, confirms = t->confirms;
+    t->confirms = better && !confirms;
+    t->rested = 0;
+    if (t->confirms)
+        return;
     if (better) {
         *at = (team_level){0};
         take_in(at, round);
@@ -137,9 +162,13 @@ static void evaluate_trial(team *t, const team_round *round) {
         at->risk = loss;
         t->credit -= loss > 0 ? loss : 0;
     }
-    const int can_up = t->level > 0, can_down = t->level + 1 < t->levels;
-    const int wants_up = better ? t->upward : !t->upward;
-    t->upward = wants_up ? can_up : !can_down;
+    change_direction(t, better);
+}
+
+/* Lets a trial follow, whatever it may lose. */
+static void allow_trial(team *t, double seconds) {
+    const double enough = (margin - 1) * seconds;
+    t->credit = t->credit > enough ? t->credit : enough;
 }
 
 void team_end(team *t, const team_round *round) {
@@ -154,11 +183,15 @@ void team_end(team *t, const team_round *round) {
         return;
     }
     const double expected = predicted(at, round->iterations);
+    t->rested++;
+    t->between = (team_level){0};
+    take_in(&t->between, round);
     if (at->rounds == SETTLED - 1)
-        t->credit += (margin - 1) * round->seconds; /* enough credit for the first trial */
-    /* The round was much slower than expected: the loss justifies a new search. */
+        allow_trial(t, round->seconds);
+    /* The round was much slower than expected. If that is not because of its work, another level
+     * may be faster. */
     if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
-        t->credit += (round->seconds - expected) / 2;
+        allow_trial(t, round->seconds);
         for (int l = 0; l < t->levels; l++)
             t->at[l].risk = 0;
     }

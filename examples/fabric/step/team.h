@@ -7,9 +7,12 @@
  * The bits do not depend on the number of threads, so it may change from round to round.
  *
  * For each number of threads, the mean times of a solver iteration and of all else in a round are
- * recorded. Now and then a round is a trial of the next greater or smaller number, which is chosen
- * if it is faster. A trial is abandoned between two phases once it has taken 1.5 times the expected
- * time, and all trials together may cost a fiftieth of the time (plus one trial).
+ * recorded. Now and then a round is a trial of the next greater or smaller number. If it is faster,
+ * a second trial follows, after one round with the present number, and the other number is chosen
+ * if the second is faster than that round as well: the work of rounds changes, and one fast trial
+ * may be a round with little work. A trial is abandoned between two phases once it has taken 1.5
+ * times the expected time, and all trials together may cost a fiftieth of the time (plus one
+ * trial).
  *
  * A process has only one team, because OpenMP's number of threads belongs to the process. Without
  * OpenMP none of this has an effect.
@@ -28,17 +31,20 @@ typedef struct team_level {
 } team_level;
 
 typedef struct team {
-    int most;   /* number of threads of level 0; level l has most >> l threads. 0: nothing to
-                 * choose */
-    int levels; /* number of levels; the last level has one thread */
-    int level;  /* the chosen level */
-    int trial;  /* level of the current round; equal to `level` unless the round is a trial */
-    int upward; /* the next trial uses more threads */
-    int ended;  /* the current trial took too long: the round continues at the chosen level */
+    int most;     /* number of threads of level 0; level l has most >> l threads. 0: nothing to
+                   * choose */
+    int levels;   /* number of levels; the last level has one thread */
+    int level;    /* the chosen level */
+    int trial;    /* level of the current round; equal to `level` unless the round is a trial */
+    int upward;   /* the next trial uses more threads */
+    int ended;    /* the current trial took too long: the round continues at the chosen level */
+    int confirms; /* the last trial was faster, and the next one is the second */
+    int rested;   /* number of rounds since the last trial */
     team_level at[TEAM_LEVELS];
-    double begun;    /* s, time at which the current round began */
-    double expected; /* s, expected time of the current round */
-    double credit;   /* s that trials may lose */
+    team_level between; /* the round before a second trial */
+    double begun;       /* s, time at which the current round began */
+    double expected;    /* s, expected time of the current round */
+    double credit;      /* s that trials may lose */
     long last_iterations;
 } team;
 

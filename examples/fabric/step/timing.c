@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "timing.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* Returns the next multiple of the step's length in ticks, even if a cut step ended between
@@ -20,8 +21,10 @@ void timing_begin(simulation *sim) {
         to->end_part = event - time_at_tick(sim, to->end_ticks);
     }
     const bool is_whole = sim->state.part == 0 && to->end_part == 0;
+    assert(to->end_ticks >= sim->state.ticks_done);
     to->h = is_whole ? ticks_to_seconds(sim, to->end_ticks - sim->state.ticks_done)
                      : timing_end(sim) - begin;
+    assert(to->h > 0);
 }
 
 double timing_end(const simulation *sim) {
@@ -29,6 +32,7 @@ double timing_end(const simulation *sim) {
 }
 
 void timing_accept(simulation *sim) {
+    assert(sim->step.end_ticks <= TICKS_PER_STEP);
     sim->state.ticks_done = sim->step.end_ticks;
     sim->state.part = sim->step.end_part;
     if (sim->state.ticks_done < TICKS_PER_STEP)

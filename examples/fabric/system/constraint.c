@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "constraint.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +21,7 @@ void constraints_free(constraints *c) {
 }
 
 int constraint_place(constraints *c, int i) {
+    assert(i >= 0 && i < c->count);
     enum { first_room = 16 };
     if (!c->place) {
         c->place = malloc(sizeof *c->place * (size_t)c->count);
@@ -48,6 +50,7 @@ void constraint_release(constraints *c, int i) {
 }
 
 void constraint_give(constraints *c, int i, int count, const double (*d)[3], const double *change) {
+    assert(c->place && c->place[i] >= 0 && c->place[i] < c->used);
     vertex_constraint *of = &c->list[c->place[i]];
     double e[3][3];
     int known = 0;

@@ -129,9 +129,11 @@ void system_reset(linear_system *s, const double *mass, const double gravity[3],
 /* Returns the index of block (row, column), row <= column; the two vertices must share an element.
  * Rows are short (on average 4 blocks, 7 with bending), so a linear search beats bisection. */
 static int block_find(const block_matrix *A, int row, int column) {
+    assert(row <= column);
     int block = A->row_start[row];
     while (A->column[block] < column)
         block++;
+    assert(block < A->row_start[row + 1] && A->column[block] == column);
     return block;
 }
 

@@ -8,7 +8,7 @@
 
 /** The version of the interface that this file, structures.h and parallel_steps.h share with the
  *  runtime. */
-enum { REDCC_INTERFACE = 5 };
+enum { REDCC_INTERFACE = 7 };
 
 /** A transformed loop. There is one static object for each; only the runtime writes to it. */
 typedef struct redcc_site {
@@ -36,6 +36,8 @@ typedef struct redcc_attempt {
     int threads; /* REDCC_TEAM: the number of threads that the program requests; 0: no request */
     const redcc_extent *sections; /* [array_count] for REDCC_SECTIONED: each array's section in
                                      OpenMP's clause `reduction`; else 0 */
+    redcc_int *made; /* with REDCC_CONTINUES: the number of iterations that were executed. It is
+                        `trip` before redcc_run, which lowers it if an iteration leaves the loop */
 } redcc_attempt;
 
 /** The function that each thread calls. It inspects, and later executes, the chunks of iterations
@@ -46,7 +48,7 @@ typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, co
 extern "C" {
 #endif
 /** Executes a loop. 1: the loop is done. 2: it is done in a fixed order that is not its own
- * (REDCC_SECTIONED, REDCC_UNORDERED). 0: nothing was written, and the sequential loop must run.
+ * (REDCC_SECTIONED, redcc_binned.is_unordered). 0: nothing was written, and the sequential loop must run.
  * `version` is the caller's REDCC_INTERFACE. If `attempt` is 0, it executes nothing and only sets
  * site->calls. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,

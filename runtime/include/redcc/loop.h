@@ -70,7 +70,7 @@ REDCC_INLINE int redcc_hide_context(void *context) {
  * the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
-    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                        \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                     \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
@@ -95,6 +95,9 @@ REDCC_INLINE int redcc_hide_context(void *context) {
     const redcc_int redcc__lower = redcc_lower, redcc__bound = redcc_bound,                        \
                     redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
+
+/** The trip count of a loop without a bound. The original loop continues after these iterations. */
+#define REDCC_OPEN(redcc_count) ((redcc_count) < REDCC_OPEN_TRIP ? (redcc_count) : REDCC_OPEN_TRIP)
 
 /** REDCC_FIRST_AND_LAST executes a statement twice: once for the rows that the first iteration
  * reads, and once for those that the last iteration reads. In that statement REDCC_FIRST_OR_LAST is
@@ -205,6 +208,11 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
      (int)__builtin_expect(redcc_run(REDCC_INTERFACE, &(redcc_site), &redcc__attempt,              \
                                      redcc_member, &redcc__context),                               \
                            0))
+
+/** For REDCC_CONTINUES, before REDCC_EXECUTED: redcc__made becomes the number of iterations that
+ * are executed. REDCC_MADE is that number in the function that each thread executes. */
+#define REDCC_MAY_CONTINUE redcc__attempt.made = &redcc__made
+#define REDCC_MADE redcc__worker->call->trip
 
 /** For REDCC_SECTIONED. REDCC_SECTIONS declares the sections of all arrays. REDCC_SECTION sets that
  * of array number redcc_i: the redcc_length elements of redcc_array from element redcc_lower on. */
@@ -331,6 +339,15 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
             redcc__calls->sequential_end(&(redcc_site).binned.loop);                               \
     } while (0);
 
+/** As REDCC_OVER, for a loop that a jump may leave: declares a variable whose cleanup function does
+ * the work of REDCC_OVER when its scope ends. */
+#define REDCC_OVER_AT_JUMPS(redcc_of)                                                              \
+    redcc_site *redcc__left __attribute__((__unused__, __cleanup__(redcc_left_by_jump))) =         \
+        &(redcc_of)
+REDCC_INLINE void redcc_left_by_jump(redcc_site **site) {
+    REDCC_OVER(**site)
+}
+
 #include <redcc/slice.h>
 
 /* ---- the body ------------------------------------------------------------------------------ */
@@ -435,16 +452,30 @@ enum { redcc__has_hulls = 0 };
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__source_mask = 0;                                                    \
+        const int redcc__unmapped = redcc_are_unmapped(redcc__worker);                             \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
-        if (redcc__has_hulls && redcc_are_unmapped(redcc__worker))                                 \
-            REDCC_CLASSIFY_BY(1, redcc_selects, redcc_call_of_slice)                               \
-        else                                                                                       \
-            REDCC_CLASSIFY_BY(0, redcc_selects, redcc_call_of_slice)                               \
+        if (redcc__has_hulls && redcc__unmapped)                                                   \
+            for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++)      \
+                REDCC_CLASSIFY_ONE(1, redcc_selects, redcc_call_of_slice)                          \
+        else {                                                                                     \
+            int redcc__alike = REDCC_SETTLED; /* number of consecutive iterations of this class */ \
+            for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {    \
+                if (!redcc__has_hulls && redcc__unmapped && redcc__alike >= REDCC_SETTLED)         \
+                    REDCC_CLASSIFY_ALIKE(redcc_selects, redcc_call_of_slice)                       \
+                if (redcc__k == redcc__worker->last)                                               \
+                    break;                                                                         \
+                REDCC_CLASSIFY_ONE(0, redcc_selects, redcc_call_of_slice)                          \
+                redcc__alike = redcc__class[redcc__k - redcc__worker->first] ==                    \
+                                       REDCC_CLASS_ALIKE(redcc_selects)                            \
+                                   ? redcc__alike + 1                                              \
+                                   : 0;                                                            \
+            }                                                                                      \
+        }                                                                                          \
         redcc_store_classes(redcc__worker, redcc__class, redcc__k);                                \
     }
-/* Two loops, so that the one by hulls needs no calls. */
-#define REDCC_CLASSIFY_BY(redcc_hull, redcc_selects, redcc_call_of_slice)                          \
-    for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {            \
+/* By hulls no calls are needed. */
+#define REDCC_CLASSIFY_ONE(redcc_hull, redcc_selects, redcc_call_of_slice)                         \
+    {                                                                                              \
         redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0, 0, redcc_hull};                   \
         redcc_probe *const redcc__probe = &redcc__seen;                                            \
         redcc_call_of_slice;                                                                       \
@@ -452,6 +483,19 @@ enum { redcc__has_hulls = 0 };
             break;                                                                                 \
         redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);              \
     }
+/* Consecutive iterations that only touch elements of this thread: one comparison for each touch or
+ * read, and no calls. Such an iteration leaves no fence, and this thread leads. */
+#define REDCC_CLASSIFY_ALIKE(redcc_selects, redcc_call_of_slice)                                   \
+    for (; redcc__k < redcc__worker->last; redcc__k++) {                                           \
+        redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0, 0, 0};                                        \
+        redcc_probe *const redcc__probe = &redcc__seen;                                            \
+        redcc_call_of_slice;                                                                       \
+        if (!redcc_is_alike(&redcc__seen))                                                         \
+            break;                                                                                 \
+        redcc__class[redcc__k - redcc__worker->first] = REDCC_CLASS_ALIKE(redcc_selects);          \
+    }
+#define REDCC_CLASS_ALIKE(redcc_selects)                                                           \
+    (REDCC_CLASS_OWN | ((redcc_selects) == 2 ? REDCC_CLASS_LEADS : 0))
 /** Has no owner of an array a map? */
 REDCC_INLINE int redcc_are_unmapped(const redcc_worker *worker) {
     unsigned a = 0;

@@ -11,9 +11,10 @@
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_REPEATS    each thread   when no iteration is left. If memory was short,
- *                                           the first thread executes all iterations again: it
- *                                           makes no updates, but adds the operands directly
+ *     REDCC_SERIES_REPEATS    each thread   when no iteration is left. If memory was short, or an
+ *                                           iteration has left a fence, the first thread executes
+ *                                           all iterations again: it makes no updates, but adds
+ *                                           the operands directly
  *     REDCC_SERIES_BANDS      each thread   after each tile
  *     series->is_over         each thread   1: it is the first thread, and the loop is done
  *     REDCC_SERIES_APPLY      that thread   adds the operands
@@ -43,7 +44,8 @@ struct redcc_series_writer {
     double *at, *end;  /**< address for the next operand, and the end of the free memory there */
     double *block_end; /**< the end of the memory block that `at` points into */
     int adds;          /**< the thread adds operands directly and does not store them */
-    int begins;        /**< `adds` is set, and the thread has not added an operand yet */
+    int begins;        /**< `adds` is set, and the thread has not added an operand yet; 2: it reads
+                          the scalar even if the loop does not update it */
     int follows;       /**< another thread stores the operands of the current iteration */
     int in_front; /**< the thread has executed all iterations before `next`, so it adds its operands
                      directly */
@@ -151,9 +153,10 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
     redcc__worker->call->calls->series->repeats(redcc__worker, redcc__writers, redcc_count)
 
 /** If this thread adds the operands directly and has not begun, sets redcc_own to the scalar's
- * value. The scalar is read only if the loop updates it at all. */
+ * value. Unless `begins` is 2, the scalar is read only if the loop updates it at all. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \
-    ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series)                 \
+    ((redcc_writer).begins == 2 ||                                                                 \
+             ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series))       \
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 

@@ -70,6 +70,16 @@ enum { redcc__by_calls = 0 };
         return;                                                                                    \
     }
 
+/** Iteration redcc_iteration leaves the loop, which has REDCC_CONTINUES. */
+#define REDCC_END_AT(redcc_iteration)                                                              \
+    {                                                                                              \
+        if (redcc__worker && !redcc__source_mask && redcc__probe)                                  \
+            redcc__probe->outside = redcc__probe->strays = 1;                                      \
+        else if (redcc__worker && !redcc__source_mask)                                             \
+            redcc_iteration_ends(redcc__worker, redcc_iteration);                                  \
+        return;                                                                                    \
+    }
+
 /** Makes the owner of the row that is touched next the iteration's leader, which executes the whole
  * iteration (redcc/series.h). */
 #define REDCC_LEADER                                                                               \
@@ -160,7 +170,7 @@ REDCC_INLINE void redcc_inspect_touch(redcc_probe *probe, redcc_worker *worker, 
     int *const inside = probe ? &probe->inside : &worker->inside;
     if (window->map || redcc_leaves(window->first, window->size, address, bytes))
         redcc_inspect_outside(probe, worker, array, address, bytes);
-    else
+    else if (!probe || bytes > 0)
         *inside = 1;
 }
 static __attribute__((__noinline__, __unused__)) void

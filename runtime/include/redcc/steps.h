@@ -148,6 +148,15 @@ static __inline__ void redcc_iteration_leaves(redcc_worker *worker) {
         worker->call->calls->is_stale(worker, REDCC_LEAVES);
 }
 
+/** As redcc_iteration_leaves, for iteration `k` of a loop with REDCC_CONTINUES. The iterations
+ * before it may still be executed. */
+static __inline__ void redcc_iteration_ends(redcc_worker *worker, redcc_int k) {
+    if (worker->alike < 0) {
+        worker->first = k;
+        worker->call->calls->is_stale(worker, REDCC_ENDS);
+    }
+}
+
 /** Inspector: the addresses of one iteration are complete. If all are in the owned range, only
  * counts the iteration. */
 static __inline__ void redcc_iteration_done(redcc_worker *worker) {
@@ -267,7 +276,7 @@ REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *work
         redcc_select_touch(probe, worker, array, address, bytes);
         return;
     }
-    probe->inside = 1;
+    probe->inside |= bytes > 0; /* as in redcc_select_touch */
     probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 

@@ -150,6 +150,8 @@ enum {
     /** The flags contain this value times 2 or 4 if the loop has a vector form that executes 2 or 4
      * iterations at once (lanes.h). On x86-64 it is used only with AVX2. */
     REDCC_LANES_UNIT = 64,
+    /** An iteration has an inner loop of many hundred operations. */
+    REDCC_LONG = 512,
     /** The vector form does not need AVX2. */
     REDCC_LANES_ANYWHERE = 1024,
     /** The slice may read values that the loop has not written yet, and so use invalid addresses.
@@ -206,11 +208,11 @@ enum {
      *  value that an update might change is read before the loop or kept until its end. So threads
      *  may find out during the execution (REDCC_SELECT) which iteration first leaves a fence. */
     REDCC_FENCED = 268435456,
-    /** With REDCC_BINNED: OpenMP's directives leave the order of the updates open, and all updates
-     *  may be made on private copies. So the loop may be executed in a fixed order. */
-    REDCC_UNORDERED = 536870912,
-    /** An iteration has an inner loop of many hundred operations. */
-    REDCC_LONG = 1073741824
+    /** Replaces REDCC_FENCED in a loop with series (series.h). */
+    REDCC_FENCED_SERIES = 536870912,
+    /** If an iteration leaves the loop, the iterations before it may be executed, because the
+     * original loop can continue at any iteration (redcc_attempt.made). */
+    REDCC_CONTINUES = 1073741824
 };
 
 enum {
@@ -242,6 +244,10 @@ enum {
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
  * (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
+/** The trip count that is given for a loop without a bound. */
+#define REDCC_OPEN_TRIP ((redcc_int)1 << 30)
+/** Passed to `is_stale`, with REDCC_CONTINUES, if iteration worker->first leaves the loop. */
+#define REDCC_ENDS 0xfffffffeu
 
 /** A loop as the translator describes it. There is one static object for each. */
 typedef struct redcc_loop {
@@ -258,10 +264,12 @@ typedef struct redcc_loop {
     void *state; /**< owned by the runtime; initially 0 */
 } redcc_loop;
 
-/** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
- * inspection. Then redcc_read records the addresses. When a plan is reused, they are relative to
- * `first`; first == 0 means that there is no such pointer, or that the addresses lie in several
- * objects. To reuse a plan, all bytes between the first and the last one read are compared. */
+/** Bytes [first, end). In redcc_run's parameter `known` (runtime.h), end == 0 means that the range
+ * is not known before the inspection. Then `first` is the pointer through which the loop reads, and
+ * redcc_read finds the range. A kept plan stores the range relative to that pointer, since the data
+ * may have moved by the next execution. first == 0: no single pointer leads to the data, or they
+ * lie in several objects. To reuse a plan, all bytes from the lowest to the highest address read
+ * are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -290,7 +298,7 @@ struct redcc_hook;
 typedef struct redcc_owner {
     const char *first;
     redcc_size size;
-    /* the owner of each unit, the first of which is at `first`; 0: no map */
+    /* the owner of each unit, from the unit at `first` on; 0: no map */
     const unsigned char *map;
     redcc_word reciprocal; /* replaces the division by `unit` (redcc_quotient); 0: divide */
     redcc_u32 self;
@@ -399,8 +407,8 @@ typedef struct redcc_applied {
 
 enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 
-/** A stream: updates that must be applied in order. These are all updates of an array, or of
- * several arrays that are updated at one subscript. */
+/** A stream: updates that are applied in order (unless `exact`). These are all updates of an array,
+ * or of several arrays that are updated at one subscript. */
 typedef struct redcc_stream {
     /** Applies records by executing the statements of the loop's updates. Writes only to the
      * rows. */
@@ -421,6 +429,9 @@ typedef struct redcc_stream {
 typedef struct redcc_binned {
     redcc_loop loop;
     redcc_u32 stream_count;
+    int is_unordered; /**< OpenMP's directives leave the order of the updates open, and all updates
+                         may be made on private copies. So the loop may be executed in a fixed order
+                         that is not its own */
     const redcc_stream *streams;
 } redcc_binned;
 

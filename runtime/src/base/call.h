@@ -17,7 +17,9 @@ struct method;
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
-    void **bases;        /* [array_count] */
+    redcc_int asked; /* the trip count of redcc_enter. `trip` is smaller once a dry run has found an
+                        iteration that leaves the loop */
+    void **bases;    /* [array_count] */
     redcc_extent *known; /* [source_count] */
     redcc_word *key;     /* [key_count] */
     /* [array_count] the sections that OpenMP's clause names, if shares of them are executed without

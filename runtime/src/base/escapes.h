@@ -10,9 +10,9 @@
  * call is cached. */
 bool redcc_may_escape(void);
 
-/** May the program map memory at several addresses? False only if no object of the process refers
- * to a function that maps or attaches memory, or to a function that could load more objects or
- * functions. The result of the first call is cached. */
+/** May the program map the same memory at more than one address? False only if neither the program
+ * nor a shared library refers to a function that maps or attaches memory, or to a function that
+ * could load more libraries or look up functions. The result of the first call is cached. */
 bool redcc_may_map(void);
 
 /** Does the program define free, but not the functions for aligned memory? gcc's OpenMP library

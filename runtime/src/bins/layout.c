@@ -88,9 +88,8 @@ static bool wants_copies(const struct binning *binning) {
     double rows = 0, records = 0;
     size_t bytes = 0;
     /* the forms of these loops that update copies add up operands in the blocks of shares */
-    const unsigned adds = REDCC_UNORDERED | REDCC_ORDER_NEEDED;
-    if (kind == BINS_RECORDS || (binning->loop->loop.flags & adds) == adds ||
-        binning->copies.are_denied || binning->round.begin > 0 ||
+    const bool adds = binning->loop->is_unordered && binning->loop->loop.flags & REDCC_ORDER_NEEDED;
+    if (kind == BINS_RECORDS || adds || binning->copies.are_denied || binning->round.begin > 0 ||
         binning->round.failures >= FAILURES_OF_COPIES)
         return false;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {

@@ -7,6 +7,7 @@
 #include "base/trace.h"
 #include "choose/cost_model.h"
 #include "choose/waking.h"
+#include "ownership/fences.h"
 #include "plan/copies.h"
 #include "plan/tile_grid.h"
 
@@ -224,15 +225,32 @@ bool redcc_copies_allowed(const struct inspection *inspection) {
                              (size_t)inspection->call->planned);
 }
 
-static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
-    return redcc_usual(size_of(chooser, trip));
+/* Seconds of an iteration of the sequential loop. The learner's times are divided by the trip count
+ * with which the loop is entered; if it is left earlier, the iterations before take all the time.
+ */
+static double usual_iteration(const struct chooser *chooser, const struct request *request) {
+    return redcc_usual(size_of(chooser, request->asked)) * (double)request->asked /
+           (double)request->trip;
 }
 
-/* The measured seconds of an iteration's slice. 0 if the slice was not timed, or took at most twice
- * the time that is estimated from its touches. */
-static double time_of_slice(const struct inspection *inspection) {
+/* Converts the arms' seconds per iteration to those of the learner. */
+static void per_asked(struct arm *arm, const struct request *request) {
+    for (enum way way = 0; way < WAY_COUNT; way++)
+        arm[way].execution *= (double)request->trip / (double)request->asked;
+}
+
+/* Seconds to record an iteration's touches and its end, beyond its slice. */
+static double time_of_records(const struct inspection *inspection) {
+    return 3 * (inspection->each.records + 1) * LEARN_TOUCH;
+}
+
+static struct slice_seconds time_of_slice(const struct inspection *inspection) {
     const double measured = redcc_slice_seconds(inspection);
-    return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
+    const double records = time_of_records(inspection);
+    const double compared = measured - records > records / 3 ? measured - records : records / 3;
+    return (struct slice_seconds){
+        .recorded = measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0,
+        .compared = measured > 0 ? compared : 0};
 }
 
 /* Those findings that can be computed both after the sample and after all iterations were
@@ -247,7 +265,7 @@ static struct findings begin_findings(const struct chooser *chooser,
     return (struct findings){
         .trip = call->request.trip,
         .threads = call->planned,
-        .sequential = usual_iteration(chooser, call->request.trip),
+        .sequential = usual_iteration(chooser, &call->request),
         .spent = redcc_seconds() - call->entered,
         .touches = inspection->each.touches,
         .leading_rows = inspection->each.leading_rows,
@@ -269,7 +287,7 @@ static bool stealing_pays(const struct chooser *chooser, const struct call *call
     /* If the iterations of a block are scattered, reading their subscripts also loads subscripts of
      * other blocks. */
     return found->changes < LEARN_FREQUENT ||
-           usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
+           usual_iteration(chooser, &call->request) >= 4 * LEARN_ROW;
 }
 
 /* ---- after the sample ------------------------------------------------------------------------ */
@@ -298,24 +316,36 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* The share of a thread that selects its own iterations: it evaluates all slices. Without fences
- * all threads together (or one, in a dry run) have evaluated them once before. With REDCC_PARTS,
- * replicated iterations count as a quarter, since they skip most of their work. */
+/* Seconds per iteration in which a thread selects its own iterations: it evaluates an equal share
+ * of the slices in the survey (execute/survey.h), and those of blocks with elements of several
+ * owners. Without fences all threads together (or one, in a dry run) have evaluated all slices once
+ * before. */
+static double time_of_selecting(const struct inspection *inspection, const struct findings *it) {
+    const redcc_loop *loop = inspection->call->request.loop;
+    const double even = 1.0 / it->threads;
+    const double dried = inspection->inspector[0]->dry_run.seconds / (double)it->trip;
+    const bool is_dry = loop->flags & REDCC_DRY_RUN;
+    const double records = is_dry && dried > 0 ? dried : time_of_records(inspection);
+    const double slice = records > it->slice.recorded ? records : it->slice.recorded;
+    const double alike = it->slice.compared > 0 ? it->slice.compared : slice;
+    const double open = is_dry || it->runs >= LEARN_FREQUENT ? 1 : it->runs / LEARN_FREQUENT;
+    const double before = redcc_may_be_fenced(loop) ? 0 : (is_dry ? dried : 0) + slice * even;
+    return before + (alike + open * (slice - alike)) * even + open * slice * (1 - even);
+}
+
+/* The share of a thread that selects its own iterations. With REDCC_PARTS, replicated iterations
+ * count as a quarter, since they skip most of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
     const double even = 1.0 / it->threads;
     const double share = flags & REDCC_PARTS ? even + (largest - even) / 4 : largest;
-    const double dried =
-        flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
-    const double recorded = dried > 0 ? dried : 3 * inspection->each.records * LEARN_TOUCH;
-    const double slice = recorded > it->slice ? recorded : it->slice;
     /* tiles compute each pair once, and their slices are short */
     if (redcc_may_be_tiled(inspection) && it->sequential > 0)
         return even;
-    const double before = flags & REDCC_FENCED ? 0 : dried + slice * even;
-    return flags & REDCC_SELECTS && it->sequential > 0 ? share + (before + slice) / it->sequential
-                                                       : 0;
+    return flags & REDCC_SELECTS && it->sequential > 0
+               ? share + time_of_selecting(inspection, it) / it->sequential
+               : 0;
 }
 
 /* Adds the findings for bins. Bins are expected to pay if updates are irregular, or if private
@@ -334,7 +364,7 @@ static void find_bins(const struct inspection *inspection, const struct estimate
     const bool is_swept = loop->flags & REDCC_BINS_CHECKED;
     findings->bin_more =
         (is_copied ? bytes * LEARN_BYTE : 0) +
-        (is_swept ? findings->slice * (double)findings->trip / findings->threads : 0);
+        (is_swept ? findings->slice.recorded * (double)findings->trip / findings->threads : 0);
 }
 
 static void trace_arms(const struct findings *findings, const struct arm *arm,
@@ -366,12 +396,13 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);
+    per_asked(arm, &call->request);
     if (entry->alone) { /* a plan that pays is constructed in a later call */
-        redcc_note_arms(&chooser->state, findings.trip, arm, findings.spent);
+        redcc_note_arms(&chooser->state, call->request.asked, arm, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
     const bool is_dry = call->request.loop->flags & REDCC_DRY_RUN;
-    const struct situation now = {.trip = findings.trip,
+    const struct situation now = {.trip = call->request.asked,
                                   .threads = call->planned,
                                   .wake = redcc_wake_seconds(),
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
@@ -379,6 +410,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .tiled = findings.tiled,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified,
+                                  .measured = findings.slice.compared > 0,
                                   .kept = {[WAY_DIRECT] = KEPT_FITS}};
     return redcc_pick_way(&chooser->state, &now, arm, findings.spent);
 }
@@ -422,7 +454,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
 
 void redcc_advise_check(const struct advice *entry, struct inspection *inspection) {
     const struct call *call = inspection->call;
-    const double most = LEARN_SHARE * entry->usual * (double)call->request.trip;
+    const double most = LEARN_SHARE * entry->usual * (double)call->request.asked;
     if (call->method || entry->may_lose == 0 || most == 0)
         return;
     set_deadline(inspection, most);

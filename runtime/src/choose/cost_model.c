@@ -24,7 +24,15 @@ static double beginning_runs(const struct findings *it) {
  * slice. */
 static double recording(const struct findings *it) {
     const double touches = it->touches * LEARN_TOUCH;
-    return touches > it->slice ? touches : it->slice;
+    return touches > it->slice.recorded ? touches : it->slice.recorded;
+}
+
+/* Seconds to sweep an iteration. Consecutive iterations that touch only one owner's range are
+ * compared, not recorded. */
+static double sweeping(const struct findings *it) {
+    const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
+    const double alike = it->slice.compared > 0 ? it->slice.compared : recording(it);
+    return alike + apart * (recording(it) - alike) + it->runs * 2 * LEARN_ROW;
 }
 
 static void by_copies(const struct findings *it, struct arm *arm) {
@@ -40,9 +48,8 @@ static void by_copies(const struct findings *it, struct arm *arm) {
  * more. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
-    const double swept = recording(it) + it->runs * 2 * LEARN_ROW;
     arm->possible = true;
-    arm->set_up = it->spent + swept * (double)it->trip / it->threads;
+    arm->set_up = it->spent + sweeping(it) * (double)it->trip / it->threads;
     arm->execution =
         it->sequential * by_owners(it) * it->share * (1 + apart * (LEARN_CONTENDED - 1)) +
         beginning_runs(it);

@@ -5,6 +5,13 @@
 
 #include "learn/learner.h"
 
+/** The measured seconds of an iteration's slice. 0: not measured. */
+struct slice_seconds {
+    double recorded; /**< if its touches are recorded; 0 also if this takes about as long as the
+                        number of touches suggests */
+    double compared; /**< if its touches are only compared with one owner's range */
+};
+
 struct findings {
     long long trip; /**< number of iterations */
     int threads;
@@ -17,8 +24,7 @@ struct findings {
     double touches;      /**< number of touches per iteration */
     double leading_rows; /**< number of different rows of the leading group per iteration */
     double further_rows; /**< number of different rows of the other groups per iteration */
-    /** seconds of an iteration's slice; 0: unknown, or about as estimated from the touches */
-    double slice;
+    struct slice_seconds slice;
     /** fraction of the iterations that touch other owners than the iteration before */
     double runs;
     bool fetched;  /**< accesses are irregular, the data exceed the caches, and plans prefetch */

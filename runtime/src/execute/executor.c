@@ -84,6 +84,7 @@ void redcc_run_begin(struct run *run) {
     run->plan = NULL;
     run->validation = (struct validation){0};
     redcc_fences_open(&run->fences, run->call->request.loop);
+    run->survey.stands = false;
     run->executed = 0;
     atomic_store_explicit(&run->error, 0, memory_order_relaxed);
     atomic_store_explicit(&run->last_claimed, 0, memory_order_relaxed);
@@ -139,11 +140,14 @@ static void begin_selecting(redcc_worker *worker) {
     memcpy(selection->window, runner->owner, plan->array_count * sizeof *selection->window);
     redcc_selection_begin(selection, worker, plan->trip);
     worker->sources = runner->run->fences.reads;
-    if (runner->run->call->request.loop->flags & REDCC_EVERY_ITERATION)
+    const bool idle = runner->run->call->request.loop->flags & REDCC_EVERY_ITERATION;
+    if (idle)
         redcc_selection_set_idle(selection, redcc_share(plan->trip, threads, thread),
                                  redcc_share(plan->trip, threads, thread + 1));
     else if (thread == threads - 1 && plan->trip > 0)
         redcc_selection_set_idle(selection, plan->trip - 1, plan->trip);
+    if (runner->run->survey.stands)
+        redcc_selection_survey(selection, worker, &runner->run->survey, thread, idle);
 }
 
 static void begin_running(redcc_worker *worker) {
@@ -231,20 +235,39 @@ static bool hand_out_in_order(redcc_worker *worker) {
     return count > 0;
 }
 
+/* The end of the iterations that were executed, which is also that of those executed again. */
+static redcc_int end_of_executed(const struct runner *runner) {
+    const struct plan *plan = runner->plan;
+    return plan && plan->method->selects ? runner->selection.end : runner->run->call->request.trip;
+}
+
+bool redcc_run_has_rest(const redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    return end_of_executed(runner) < runner->run->call->request.trip;
+}
+
 void redcc_run_own_nothing(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     assert(runner->step == STEP_END);
-    begin_in_order(worker, STEP_END, 0, call->request.trip);
+    begin_in_order(worker, STEP_END, 0, end_of_executed(runner));
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->owner[array] = (redcc_owner){.first = call->request.bases[array]};
 }
 
 bool redcc_run_again(redcc_worker *worker) {
     struct runner *runner = worker->execution;
-    const bool is_left = hand_out_in_order(worker);
-    runner->whole.count_and_check |= 1;
-    return is_left;
+    const redcc_int end = end_of_executed(runner), trip = runner->run->call->request.trip;
+    if (errno && worker->run_end)
+        redcc_note_error(runner->run, worker->position);
+    if (runner->in_order_end == end) {
+        const bool is_left = hand_out_in_order(worker);
+        runner->whole.count_and_check |= 1;
+        if (is_left || end == trip)
+            return is_left;
+        begin_in_order(worker, STEP_END, end, trip);
+    }
+    return hand_out_in_order(worker);
 }
 
 /* Hands out iterations in order. When the iterations that were repeated for validation are done,
@@ -275,10 +298,13 @@ static void reach_stage(struct runner *runner, uint32_t stage) {
 }
 
 /* All threads have found that an iteration leaves a fence (ownership/fences.h), and each has
- * executed its iterations before that: the first thread executes the others in order. */
+ * executed its iterations before that: the first thread executes the others in order. With series,
+ * redcc_run_again does that. */
 static void execute_rest(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     assert(runner->run->fences.stand && !runner->run->validation.began);
+    if (runner->run->call->request.loop->flags & REDCC_FENCED_SERIES)
+        return;
     redcc_barrier_wait(runner->run->barrier, runner->threads);
     if (runner->thread == 0)
         redcc_run_rest(worker, runner->selection.end);
@@ -412,33 +438,55 @@ static bool advance_to_chunk(redcc_worker *worker) {
     return true;
 }
 
+/* Requests the next classes of the survey. False: the survey has ended. */
+static bool goes_on_surveying(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    worker->owner = runner->run->fences.updates;
+    if (redcc_selection_ask_survey(&runner->selection, worker, runner->thread))
+        return true;
+    redcc_parts_begin(&runner->parts, redcc_run_parts(runner->run, runner->plan),
+                      iterations_of(runner));
+    return false;
+}
+
+/* Hands out runs of classified iterations. False: there are none. */
+static bool hand_out_classified(redcc_worker *worker, bool hooked) {
+    struct runner *runner = worker->execution;
+    struct parts *parts = &runner->parts;
+    redcc_int iterations;
+    const size_t runs =
+        redcc_selection_take(&runner->selection, worker, hooked, runner->piece, &iterations);
+    worker->origin = worker->first;
+    worker->owner = runner->owner;
+    worker->run = runner->piece;
+    worker->run_end = runner->piece + runs;
+    advance_to_slice(worker);
+    worker->variant.follows = runner->selection.follows;
+    parts->left -= parts->count > 0 ? iterations : 0;
+    return runs > 0;
+}
+
 /* Hands out runs of classified iterations or, if there are none, a request to classify the next
  * iterations. Clears errno after a request, because the program's slices may have set it. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
-    struct parts *parts = &runner->parts;
     const bool hooked = is_hooked(runner->plan);
     if (hooked)
         redcc_hooks_settle(&runner->hooks);
-    if (selection->asked || selection->taken < worker->last - worker->first) {
-        redcc_int iterations;
-        if (selection->asked)
-            errno = 0;
-        const size_t runs =
-            redcc_selection_take(selection, worker, hooked, runner->piece, &iterations);
-        worker->origin = worker->first;
-        worker->owner = runner->owner;
-        worker->run = runner->piece;
-        worker->run_end = runner->piece + runs;
-        advance_to_slice(worker);
-        worker->variant.follows = selection->follows;
-        parts->left -= parts->count > 0 ? iterations : 0;
-        if (runs > 0)
+    if (selection->asked)
+        errno = 0;
+    if (selection->surveys && goes_on_surveying(worker))
+        return REDCC_SELECT;
+    for (;;) {
+        if (redcc_selection_has_classes(selection, worker) && hand_out_classified(worker, hooked))
             return 1;
+        worker->owner = runner->run->fences.updates;
+        if (!redcc_selection_ask(selection, worker))
+            return 0;
+        if (selection->asked)
+            return REDCC_SELECT;
     }
-    worker->owner = runner->run->fences.updates;
-    return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
 /* Hands out the next tile. It also sets a run with the tile's rows; only recording errno needs this

@@ -34,8 +34,10 @@ struct run {
     struct barrier *barrier;
     struct validated *validated; /* NULL: the loop is not validated */
     struct validation validation;
-    struct fences fences; /* with a method that classifies iterations */
-    atomic_ullong error;  /* the loop's errno: executor.c */
+    /* with a method that classifies iterations: */
+    struct fences fences;
+    struct survey survey;
+    atomic_ullong error; /* the loop's errno: executor.c */
     atomic_int last_claimed;
     atomic_uint
         blocks_claimed; /* number of stealable blocks, or bands of tiles, that threads have taken */
@@ -107,12 +109,15 @@ void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end);
  * After that the results are compared, and redcc_next hands out the rest of the loop. */
 void redcc_run_check(redcc_worker *worker, redcc_int end);
 
+/** Has an iteration left a fence, so that it and the later iterations are not executed yet? */
+bool redcc_run_has_rest(const redcc_worker *worker);
+
 /** Called after the loop: prepares the thread to execute all iterations again, in order, without
- * owning any element. */
+ * owning any element. If some are not executed yet, excludes these. */
 void redcc_run_own_nothing(redcc_worker *worker);
 
-/** Hands out some of the iterations that redcc_run_own_nothing prepared. Returns false if none is
- * left. */
+/** Hands out some of the iterations that redcc_run_own_nothing prepared, and then those that were
+ * not executed yet, which make their updates. Returns false if none is left. */
 bool redcc_run_again(redcc_worker *worker);
 
 /** Called if errno is not 0 after iterations of which the last has number `end` - 1. Records errno

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/select.h"
 
+#include "base/share.h"
+
 #include <assert.h>
 #include <stdint.h>
+#include <string.h>
 
 enum { WORD = 64 }; /* number of bits */
 _Static_assert(REDCC_SELECTED == WORD * REDCC_SELECTED_WORDS, "a bit for each iteration");
@@ -13,7 +16,8 @@ void redcc_selection_begin(struct selection *selection, redcc_worker *worker, re
     selection->idle_begin = selection->idle_end = 0;
     selection->executed = 0;
     selection->taken = 0;
-    selection->asked = false;
+    selection->asked = selection->surveys = false;
+    selection->survey = NULL;
     worker->first = worker->last = 0;
     worker->window = selection->window;
 }
@@ -30,15 +34,36 @@ static redcc_int end_of_block(const struct selection *selection, const redcc_wor
     return worker->first + (left < REDCC_SELECTED ? left : REDCC_SELECTED);
 }
 
-bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
-    assert(!selection->asked && worker->last <= selection->end);
-    if (worker->last == selection->end)
-        return false;
-    worker->first = worker->last;
+static void ask(struct selection *selection, redcc_worker *worker) {
     worker->last = end_of_block(selection, worker);
     worker->stride = 1;
     worker->entry = (redcc_entry *)(void *)selection->class;
     selection->asked = true;
+}
+
+static bool is_in_share(const struct selection *selection, redcc_int iteration) {
+    return selection->share_begin <= iteration && iteration < selection->share_end;
+}
+
+bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
+    const struct survey *survey = selection->survey;
+    assert(!selection->asked && worker->last <= selection->end);
+    redcc_int first = worker->last;
+    while (survey && first < selection->end && !is_in_share(selection, first) &&
+           !survey->is_open[first / REDCC_SELECTED])
+        first += REDCC_SELECTED;
+    selection->taken = 0;
+    if (first >= selection->end) {
+        worker->first = worker->last = selection->end;
+        return false;
+    }
+    worker->first = first;
+    if (survey && is_in_share(selection, first)) {
+        worker->last = end_of_block(selection, worker);
+        memcpy(selection->bits, survey->block[first / REDCC_SELECTED].bits, sizeof selection->bits);
+    } else {
+        ask(selection, worker);
+    }
     return true;
 }
 
@@ -65,8 +90,9 @@ static uint64_t bits_between(redcc_int begin, redcc_int end, redcc_int first) {
 }
 
 /* Stores the classes as bits. The thread does not execute an iteration that touches nothing, unless
- * it is in [idle_begin, idle_end). */
-static void set_bits(struct selection *selection, const redcc_worker *worker) {
+ * it is in [idle_begin, idle_end). Returns whether other threads own elements that are touched. */
+static bool set_bits(struct selection *selection, const redcc_worker *worker) {
+    uint64_t all_others = 0;
     for (redcc_int w = 0; w < REDCC_SELECTED_WORDS; w++) {
         const redcc_int first = worker->first + w * WORD;
         const uint64_t asked = bits_between(worker->first, worker->last, first);
@@ -81,7 +107,44 @@ static void set_bits(struct selection *selection, const redcc_worker *worker) {
         const uint64_t idle = asked & ~(own | others) &
                               bits_between(selection->idle_begin, selection->idle_end, first);
         selection->bits[w] = (struct class_bits){own | idle, own & others, own & ~leads};
+        all_others |= others & asked;
     }
+    return all_others != 0;
+}
+
+void redcc_selection_survey(struct selection *selection, redcc_worker *worker,
+                            struct survey *survey, int thread, bool idle) {
+    selection->survey = survey;
+    selection->surveys = true;
+    selection->share_begin = redcc_survey_first(survey, thread);
+    selection->share_end = redcc_min(redcc_survey_first(survey, thread + 1), selection->trip);
+    if (idle)
+        redcc_selection_set_idle(selection, selection->share_begin, selection->share_end);
+    worker->first = worker->last = selection->share_begin;
+}
+
+/* Keeps the classes of the block. False: an iteration has left a fence. */
+static bool keep(struct selection *selection, const redcc_worker *worker) {
+    struct survey *survey = selection->survey;
+    const redcc_int block = worker->first / REDCC_SELECTED;
+    survey->is_open[block] = set_bits(selection, worker);
+    memcpy(survey->block[block].bits, selection->bits, sizeof selection->bits);
+    return worker->last == end_of_block(selection, worker);
+}
+
+bool redcc_selection_ask_survey(struct selection *selection, redcc_worker *worker, int thread) {
+    assert(selection->surveys);
+    const bool goes_on = !selection->asked || keep(selection, worker);
+    selection->asked = false;
+    if (goes_on && worker->last < selection->share_end) {
+        worker->first = worker->last;
+        ask(selection, worker);
+        return true;
+    }
+    selection->surveys = false;
+    selection->end = redcc_survey_end(selection->survey, thread, worker->last);
+    worker->first = worker->last = 0;
+    return false;
 }
 
 /* The number of bits from bit `bit` of a word to before the next bit that is set in `ends`, or to

@@ -3,25 +3,18 @@
  * Execution by owners without an inspection that assigns iterations to threads. Each thread scans
  * all iterations, block by block. It first classifies the iterations of a block by whether they
  * touch an element that the thread owns (REDCC_SELECT). Those that do form the runs that the thread
- * executes. All threads stop at the first iteration that leaves a fence (ownership/fences.h).
+ * executes. All threads stop at the first iteration that leaves a fence (ownership/fences.h). A
+ * survey (survey.h) saves a thread most blocks that touch no element of it.
  */
 #ifndef REDCC_EXECUTE_SELECT_H
 #define REDCC_EXECUTE_SELECT_H
 
+#include "execute/survey.h"
 #include "redcc/runtime.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-/** The classes of 64 iterations, with one bit for each iteration. */
-struct class_bits {
-    uint64_t executed; /* this thread executes the iteration */
-    uint64_t shared;   /* another thread also owns rows that the iteration touches */
-    uint64_t follows;  /* another thread stores the operands that the iteration adds to series */
-};
-
-enum { REDCC_SELECTED_WORDS = REDCC_SELECTED / 64 };
 
 /** One thread's selection of iterations. */
 struct selection {
@@ -32,6 +25,10 @@ struct selection {
     redcc_int idle_end;
     redcc_int executed; /* number of iterations executed so far */
     redcc_int end;      /* the first iteration that leaves a fence; `trip` if none is found yet */
+    struct survey *survey; /* NULL: none */
+    redcc_int share_begin; /* the iterations that the thread classifies in the survey */
+    redcc_int share_end;
+    bool surveys;    /* the thread is classifying its share */
     bool asked;      /* the classes of iterations from worker->first on were requested and are not
                         evaluated yet */
     redcc_int taken; /* number of classified iterations that were already handed out or skipped */
@@ -46,7 +43,23 @@ void redcc_selection_begin(struct selection *selection, redcc_worker *worker, re
 /** Assigns to the thread the iterations in [begin, end) that touch nothing. */
 void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redcc_int end);
 
-/** Requests the classes of the next iterations. False: none is left. */
+/** Begins the survey with the share of thread number `thread`. Assigns to the thread those
+ * iterations in its share that touch nothing, if `idle` is set. */
+void redcc_selection_survey(struct selection *selection, redcc_worker *worker,
+                            struct survey *survey, int thread, bool idle);
+
+/** In a survey: keeps the requested classes, and requests those of the next iterations. False: the
+ * survey has ended. */
+bool redcc_selection_ask_survey(struct selection *selection, redcc_worker *worker, int thread);
+
+/** Are there classified iterations that were not taken yet? */
+static inline bool redcc_selection_has_classes(const struct selection *selection,
+                                               const redcc_worker *worker) {
+    return selection->asked || selection->taken < worker->last - worker->first;
+}
+
+/** Proceeds to the next iterations, whose classes are requested or, after a survey, already known
+ * (`asked`). False: none is left. */
 bool redcc_selection_ask(struct selection *selection, redcc_worker *worker);
 
 /** Writes runs of classified iterations into `to`[REDCC_SELECTED]; their `begin` is relative to

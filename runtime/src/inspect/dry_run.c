@@ -33,6 +33,7 @@ static void begin_run(const struct inspection *inspection, struct inspector *ins
     run->block = REDCC_FIRST_BEFORE_DEADLINE;
     run->ended_in_margin = false;
     run->no_conflict = true;
+    run->end = 0;
 }
 
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector) {
@@ -43,6 +44,7 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     *run = (struct dry_run){.window = redcc_memory_alloc(arrays * sizeof *run->window),
                             .clear = redcc_memory_alloc(sources * sizeof *run->clear),
                             .has_margins = true,
+                            .usual = run->usual,
                             .seconds = -redcc_seconds()};
     inspector->entries = redcc_memory_alloc(REDCC_ENTRIES * sizeof *inspector->entries);
     inspector->failed = !run->window || !run->clear || !inspector->entries;
@@ -76,9 +78,10 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     }
     const redcc_int first = inspector->next;
     assert(0 <= first && first <= trip);
-    if (!run->no_conflict || first == trip)
+    if (!run->no_conflict || run->end > 0 || first == trip)
         return false;
-    inspector->late = redcc_inspection_will_be_late(inspection, redcc_dry_run_done(inspection));
+    const double done = redcc_dry_run_done(inspection);
+    inspector->late = redcc_inspection_will_be_late(inspection, done > 0 ? done : 1);
     if (inspector->late)
         return false;
     const bool at_once = inspection->pace.deadline == 0 || trip - first <= run->block;
@@ -190,7 +193,12 @@ static void take_touch(struct inspection *inspection, struct inspector *inspecto
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source) {
     struct dry_run *run = &inspector->dry_run;
-    if (source == REDCC_LEAVES) {
+    if (source == REDCC_ENDS && worker->first > 0) {
+        run->end = worker->call->trip = worker->first;
+        worker->last = 0;
+        return true;
+    }
+    if (source == REDCC_LEAVES || source == REDCC_ENDS) {
         run->leaves = true;
         end_run(inspection, inspector, worker, (struct overlap){0, 0});
         return true;
@@ -221,10 +229,14 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
 }
 
 double redcc_dry_run_done(const struct inspection *inspection) {
-    return (double)inspection->inspector[0]->next / (double)inspection->call->request.trip;
+    const struct request *request = &inspection->call->request;
+    const bool may_end = request->loop->flags & REDCC_CONTINUES;
+    const redcc_int next = inspection->inspector[0]->next;
+    const redcc_int all = may_end ? inspection->inspector[0]->dry_run.usual : request->trip;
+    return next < all ? (double)next / (double)all : may_end ? 0 : 1;
 }
 
-enum reason redcc_dry_run_finish(struct inspection *inspection) {
+enum reason redcc_dry_run_finish(struct inspection *inspection, redcc_int *trip) {
     struct inspector *inspector = inspection->inspector[0];
     redcc_memory_free(inspector->dry_run.window);
     redcc_memory_free(inspector->dry_run.clear);
@@ -238,5 +250,9 @@ enum reason redcc_dry_run_finish(struct inspection *inspection) {
         return REASON_DEADLINE;
     if (inspector->dry_run.leaves)
         return REASON_LEAVES;
-    return inspector->dry_run.no_conflict ? REASON_NONE : REASON_OVERLAP;
+    if (!inspector->dry_run.no_conflict)
+        return REASON_OVERLAP;
+    *trip = inspector->dry_run.end > 0 ? inspector->dry_run.end : inspection->call->request.trip;
+    inspector->dry_run.usual = *trip;
+    return REASON_NONE;
 }

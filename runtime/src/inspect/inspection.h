@@ -39,6 +39,10 @@ struct dry_run {
     redcc_int block;      /* number of iterations until the deadline is checked again */
     bool no_conflict;     /* result: no updated element is read */
     bool leaves;          /* result: an iteration leaves the loop */
+    redcc_int end;        /* result: the iteration that leaves the loop, if those before it may be
+                             executed; 0: there is none */
+    redcc_int usual;      /* with REDCC_CONTINUES: the number of iterations that the last complete
+                             run found; 0: unknown. It is kept between executions */
     double seconds;       /* duration of the dry run, once it has ended */
 };
 
@@ -174,16 +178,18 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
                         redcc_worker *worker);
 
 /** Does the recorded range of the source overlap an array's window? If so, ends the run. Also ends
- * it, and returns true, for REDCC_LEAVES. */
+ * it, and returns true, for REDCC_LEAVES and REDCC_ENDS. */
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source);
 
-/** The fraction of the iterations that the dry run has recorded. */
+/** The fraction of the iterations that the dry run has recorded; 0: unknown, because an iteration
+ * may leave the loop. */
 double redcc_dry_run_done(const struct inspection *inspection);
 
 /** Ends the dry run. Returns REASON_OVERLAP (inspection->overlap says which ranges overlap),
- * REASON_LEAVES, REASON_DEADLINE, REASON_NO_MEMORY or REASON_NONE. */
-enum reason redcc_dry_run_finish(struct inspection *inspection);
+ * REASON_LEAVES, REASON_DEADLINE, REASON_NO_MEMORY or REASON_NONE. *trip gets the number of
+ * iterations to execute. */
+enum reason redcc_dry_run_finish(struct inspection *inspection, redcc_int *trip);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */
 

@@ -94,12 +94,13 @@ static bool are_stable(const struct choice *c) {
 
 /* Seconds that a plan construction will still take, including starting threads. At least half of
  * the inspection's cost, without its dry run and waits, is assumed to remain. If the subscripts are
- * new and no construction was measured, the slice is assumed to take as long as the body. */
+ * new, and neither a construction nor the slice was timed, the slice is assumed to take as long as
+ * the body. */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
     const double all = it->learned > 0 ? it->learned : it->set_up;
     const double left = most_of(all - c->now->spent, (all - c->now->dried - c->now->awaited) / 2);
-    const bool counts_body = are_new(c) && it->learned == 0;
+    const bool counts_body = are_new(c) && it->learned == 0 && !c->now->measured;
     return left + c->now->start + (counts_body ? usual_of(c) / c->now->threads : 0);
 }
 

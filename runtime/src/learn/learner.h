@@ -74,6 +74,7 @@ struct situation {
                        delayed */
     bool tiled; /**< the inspection is short, because the loop is over pairs or has REDCC_BLOCKS */
     bool in_tiles; /**< the loop may be cut into tiles, so that WAY_DIRECT needs no estimate */
+    bool measured; /**< this call's inspection has timed the slice */
 };
 
 enum action {

@@ -161,7 +161,7 @@ static bool set_all(struct fences *fences, const redcc_loop *loop, void *const *
 
 bool redcc_fences_set(struct fences *fences, const redcc_loop *loop, void *const *bases,
                       const redcc_extent *known) {
-    assert(loop->flags & REDCC_FENCED && !fences->stand);
+    assert(redcc_may_be_fenced(loop) && !fences->stand);
     if (!fences->are_known || fences->inspections < fences->wanted)
         return false;
     fences->stand = set_all(fences, loop, bases, known);

@@ -13,7 +13,10 @@
  * of that iteration ends at the first touch or read outside, before it loads a value that the
  * iteration itself may have updated, if such a load could do harm (REDCC_DRY_RUN). After all
  * threads have executed the earlier iterations, one thread executes the remaining ones in order.
- * Only loops with REDCC_FENCED permit this.
+ * Only loops with REDCC_FENCED or REDCC_FENCED_SERIES permit this. In a loop with series, the
+ * thread that executes the remaining iterations adds their operands directly. Before, it computes
+ * the sums of the earlier iterations by executing these again, in order and without updates. Their
+ * operands are the same as before: none has updated what another one reads.
  *
  * A fence is the range that the last complete inspection found, extended on both sides.
  */
@@ -21,6 +24,13 @@
 #define REDCC_FENCES_H
 
 #include "base/range.h"
+
+#include <stdbool.h>
+
+/** May the loop be executed with fences? */
+static inline bool redcc_may_be_fenced(const redcc_loop *loop) {
+    return loop->flags & (REDCC_FENCED | REDCC_FENCED_SERIES);
+}
 
 /** The range of an array or a source that the last inspection found. */
 struct fenced {

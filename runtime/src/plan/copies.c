@@ -115,8 +115,9 @@ static void copies_begun_by(const struct plan *plan, int thread, int *first, int
         *end = (int)redcc_part_first(count, plan->threads, thread + 1);
         return;
     }
-    if (plan->method->copies ==
-        COPY_LATER) { /* those of the thread's shares; the loop's first share has none */
+    if (plan->method->copies == COPY_LATER) {
+        /* The first share of the loop has no copy, so share s has copy s - 1. A single thread uses
+         * copy 0 for all later shares. */
         const uint32_t shares = (uint32_t)plan->parameter;
         const uint32_t begin = redcc_part_first(shares, plan->threads, thread);
         *first = plan->threads == 1 || begin == 0 ? 0 : (int)begin - 1;

@@ -62,7 +62,7 @@ struct method {
                        address */
     bool in_levels; /* iterations are assigned to levels, by a complete access log
                        (ownership/graph/levels.h) */
-    bool locks;     /* each unit is locked while it is updated */
+    bool locks;     /* a thread locks a row (without rows, an element) while it updates it */
     bool in_bins;   /* the method needs no plan, and an inspection only with REDCC_BINS_CHECKED:
                        updates are recorded and later applied bin by bin (bins/binning.h) */
     bool selects;   /* threads find their iterations during execution (execute/select.h): the

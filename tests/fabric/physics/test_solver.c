@@ -461,9 +461,9 @@ static void S24_nothing_to_do(void **state) {
 }
 
 /* S23: each status of the solver is reached. */
-static void S23_statuses(void **state) {
-    (void)state;
+static void statuses_with(preconditioner_kind kind) {
     problem p = problem_new(5);
+    choose(&p, kind, PRECISION_DOUBLE, METHOD_CONJUGATE_GRADIENTS);
     p.limits.max_iterations = 3;
     assert_int_equal(solve(&p), SOLVER_TOO_MANY_ITERATIONS);
     assert_int_equal(p.iterations, 3);
@@ -484,6 +484,12 @@ static void S23_statuses(void **state) {
     p.system.A.value[off][0][0] = INFINITY;
     assert_int_equal(solve(&p), SOLVER_NOT_FINITE);
     problem_end(&p);
+}
+
+static void S23_statuses(void **state) {
+    (void)state;
+    statuses_with(PRECONDITIONER_BLOCK_JACOBI);
+    statuses_with(PRECONDITIONER_GAUSS_SEIDEL);
 }
 
 /* A vertex without mass and stiffness has a zero block, which must not affect the others. */

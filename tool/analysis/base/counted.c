@@ -93,6 +93,7 @@ static bool split_condition(const ir_node *condition, counted_loop *counted) {
     } else {
         return false;
     }
+    assert(is_comparison(counted->comparison));
     return !expression_mentions(counted->bound, counted->counter);
 }
 
@@ -191,6 +192,7 @@ static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
 
 /* Checks the loop's counter, bound and first value, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
+    assert(loop->step != 0);
     const char *name = loop->counter->name;
     const char *written = NULL;
     if (!may_count(loop))
@@ -389,6 +391,7 @@ static counted_result recognise_while(const ir_node *loop) {
 }
 
 counted_result counted_recognise_analysed(ir_node *loop) {
+    assert(ir_is_loop(loop));
     if (loop->kind == IR_FOR)
         return recognise_for(loop);
     return recognise_while(loop);
@@ -485,6 +488,7 @@ static bool binary_range(const ir_node *node, int64_t *low, int64_t *high) {
     int64_t a, b, c, d;
     if (!counted_range(node->children[0], &a, &b) || !counted_range(node->children[1], &c, &d))
         return false;
+    assert(a <= b && c <= d);
     switch (node->op) {
     case IR_OP_ADD:
         *low = a + c;

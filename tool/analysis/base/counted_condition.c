@@ -26,6 +26,7 @@ static bool is_before_test(const ir_node *step) {
 /* Returns the comparison of the stepped counter that is equivalent to `comparison` of the counter
  * before the step. IR_OP_NONE if there is none, or if the step leads away from the bound. */
 static ir_operator after_step(ir_operator comparison, int64_t step) {
+    assert(step == 1 || step == -1);
     if (comparison == IR_OP_NOT_EQUAL)
         return step < 0 ? IR_OP_GREATER_EQUAL : IR_OP_LESS_EQUAL;
     if (comparison == IR_OP_GREATER && step < 0)
@@ -58,6 +59,7 @@ bool counted_split_stepping(const ir_node *condition, counted_loop *counted) {
 
 bool counted_stepping_wraps(const counted_loop *counted) {
     assert(counted->counter && counted->bound);
+    assert(counted->step == 1 || counted->step == -1);
     const ir_type *counter = counted->counter->type;
     const ir_type *bound = counted->bound->type;
     int64_t constant;

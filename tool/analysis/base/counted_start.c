@@ -2,6 +2,8 @@
 /* Analyses the initialisation in a for loop's header. */
 #include "analysis/base/counted_start.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
@@ -25,6 +27,7 @@ static bool mentions_start(const ir_node *node, const counted_loop *counted) {
 /* Is no variable set twice, and is no value computed from a variable that the initialisation
  * sets? */
 static bool starts_are_independent(const counted_loop *counted) {
+    assert(counted->lower && counted->bound);
     if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
         return false;
     for (unsigned i = 0; i < counted->start_count; i++) {
@@ -75,6 +78,12 @@ static bool split_declared_bound(const ir_node *loop, const ir_node *declaration
     return true;
 }
 
+/* The value in the declaration of a scalar: 5 in `q = 5` and `q = {5}`. */
+static ir_node *value_declared(const ir_node *declarator) {
+    ir_node *value = declarator->children[0];
+    return value->kind == IR_INITIALIZERS && value->child_count == 1 ? value->children[0] : value;
+}
+
 /* Handles another declared variable, such as q in for (int t = 0, q = 5; t < n; t++, q += 3). */
 static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
                                  counted_loop *counted) {
@@ -84,15 +93,16 @@ static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
     if (variable == counted->counter || !is_used)
         return !declarator->child_count || expression_is_plain(declarator->children[0]);
     return declarator->child_count &&
-           add_start(counted, (loop_start){variable, declarator->children[0], declarator, true});
+           add_start(counted, (loop_start){variable, value_declared(declarator), declarator, true});
 }
 
 bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
                                counted_loop *counted) {
+    assert(declaration->kind == IR_DECLARATION);
     const ir_node *own = declarator_of(declaration, counted->counter);
     if (!own || !own->child_count)
         return false;
-    counted->lower = own->children[0];
+    counted->lower = value_declared(own);
     counted->counter_is_declared_in_header = true;
     if (declaration->child_count == 1)
         return true;

@@ -22,6 +22,7 @@ static bool is_non_negative(const ir_node *node) {
 }
 
 static int64_t type_maximum(const ir_type *type) {
+    assert(type->kind == IR_INTEGER && type->size > 0);
     int bits = (int)type->size * 8 - (type->is_signed ? 1 : 0);
     return bits >= 63 ? INT64_MAX : ((int64_t)1 << bits) - 1;
 }

@@ -8,6 +8,8 @@
  * unsigned type those that are not negative. */
 #include "analysis/base/dead_branches.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 
@@ -58,6 +60,7 @@ static bool returns_one(search *s, const ir_node *node, const ir_type *type, res
 static void take_out_below(search *s, ir_node *node);
 
 static bool constant_result(search *s, const ir_function *function, int64_t *value) {
+    assert(function->id < s->unit->function_count);
     result_of *known = &s->results[function->id];
     if (known->state == UNSEEN && function->body && !function->has_errors) {
         const bool was_external = s->is_external;
@@ -75,6 +78,7 @@ static bool constant_result(search *s, const ir_function *function, int64_t *val
     }
     *value = known->value;
     s->is_external |= known->is_external;
+    assert(known->state != CONSTANT || (known->value >= -128 && known->value <= 127));
     return known->state == CONSTANT;
 }
 
@@ -145,6 +149,7 @@ static const ir_node *assigned_by(const ir_node *statement, const ir_variable *v
  * (false). */
 static const ir_node *value_before(const ir_node *block, const ir_node *child,
                                    const ir_variable *variable, bool *is_open) {
+    assert(child->parent == block);
     unsigned at = 0;
     while (block->children[at] != child)
         at++;
@@ -283,6 +288,7 @@ static bool concerns_others(const ir_node *node) {
 }
 
 static void take_out(search *s, ir_node *statement, unsigned number) {
+    assert(statement->kind == IR_IF && number > 0 && number < statement->child_count);
     ir_node *branch = statement->children[number];
     if (branch->flags & IR_DEAD || ir_may_be_entered(branch) || ir_has_kind(branch, IR_OPAQUE) ||
         (s->is_external && concerns_others(branch)))

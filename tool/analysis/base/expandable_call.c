@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/returns.h"
 
 enum { MOST_NODES = 2000 }; /* greatest number of nodes in the function's body */
@@ -42,6 +43,9 @@ static bool can_be_renamed(const ir_variable *variable, const ir_node *body) {
 static bool can_be_copied(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
     case IR_OPAQUE:
+        if (!assertion_condition(node))
+            return false;
+        break;
     case IR_LABEL:
     case IR_GOTO:
         return false;
@@ -83,9 +87,41 @@ static bool has_prototype(const ir_function *function) {
     return function->type->spelling && !strstr(function->type->spelling, "()");
 }
 
+static bool is_floating_operation(const ir_node *node) {
+    const bool is_operator = node->kind == IR_BINARY || node->kind == IR_UNARY;
+    return expression_is_floating_work(node) ||
+           (is_operator && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT &&
+            node->children[0]->type && ir_type_is_floating(node->children[0]->type));
+}
+
+static unsigned count_floating(const ir_node *node) {
+    unsigned count = is_floating_operation(node);
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += count_floating(node->children[i]);
+    return count;
+}
+
+static bool is_no_addition(const ir_node *node) {
+    return is_floating_operation(node) && node->op != IR_OP_ADD && node->op != IR_OP_SUBTRACT;
+}
+
+static bool calls_known_function(const ir_node *node) {
+    const ir_function *function = node->kind == IR_CALL ? ir_called_function(node) : NULL;
+    return function && function->body && !function->is_noreturn;
+}
+
+/* Has the body these bits in another file, too, which may be compiled by other flags? They may
+ * permit fused multiplications, other orders of additions, and comparisons that ignore NaN. All of
+ * them concern several floating operations, also in inlined calls, or one that is no addition. */
+static bool has_same_bits(const ir_node *body) {
+    return count_floating(body) <= 1 && !ir_any(body, is_no_addition) &&
+           !ir_any(body, calls_known_function);
+}
+
 static bool can_stand_in(const ir_unit *unit, const ir_function *function) {
-    if (!function || !function->body || function->linkage.import || function->is_variadic ||
-        function->has_errors || function->has_other_attributes || function->linkage.is_weak ||
+    if (!function || !function->body || function->is_variadic ||
+        (function->linkage.import && !has_same_bits(function->body)) || function->has_errors ||
+        function->has_other_attributes || function->linkage.is_weak ||
         function->linkage.is_renamed || function->is_noreturn || function->is_from_system ||
         !has_prototype(function) || function->type->target->is_const ||
         (function->is_in_main_file && holds_directive(unit, function->body->range)))
@@ -108,22 +144,30 @@ static bool is_hidden(const ir_unit *unit, const ir_function *caller, const char
     return false;
 }
 
-static bool is_before(const ir_declared *declared, const ir_function *caller) {
-    return !declared || declared->file || !caller->is_in_main_file ||
-           declared->offset < caller->range.begin;
+/* Is it declared before the caller's definition? Names of another file's functions and variables
+ * without a declaration in this file (`declared` is NULL) are unknown here. */
+static bool is_before(const ir_declared *declared, const ir_function *caller, bool is_imported) {
+    if (!declared)
+        return !is_imported;
+    return declared->file || !caller->is_in_main_file || declared->offset < caller->range.begin;
 }
 
 /* Do the names of file-scope objects and functions in the body mean the same in the caller? */
-static bool has_known_names(const ir_unit *unit, const ir_function *caller, const ir_node *node) {
+static bool has_known_names(const ir_unit *unit, const ir_function *caller, const ir_node *node,
+                            bool is_imported) {
     const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
     const ir_function *called = node->kind == IR_FUNCTION ? node->function : NULL;
     if (variable && !variable->function &&
-        (!is_before(variable->declared, caller) || is_hidden(unit, caller, variable->name)))
+        (!is_before(variable->declared, caller, is_imported) ||
+         is_hidden(unit, caller, variable->name)))
         return false;
-    if (called && (!is_before(called->declared, caller) || is_hidden(unit, caller, called->name)))
+    if (called && (!is_before(called->declared, caller, is_imported) ||
+                   is_hidden(unit, caller, called->name)))
         return false;
+    const bool skips_branch = is_imported && loop_exits_ends_program(node);
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!has_known_names(unit, caller, node->children[i]))
+        if (!(skips_branch && i == 1) &&
+            !has_known_names(unit, caller, node->children[i], is_imported))
             return false;
     return true;
 }
@@ -136,12 +180,18 @@ bool is_own_scalar(const ir_node *node) {
            !node->type->is_volatile && !node->type->is_atomic;
 }
 
+/* Is it an assignment to an own scalar, as in `if ((error = add(p, i)) != 0)`? */
+static bool assigns_own_scalar(const ir_node *node) {
+    return node->kind == IR_ASSIGN && node->op == IR_OP_NONE && is_own_scalar(node->children[0]);
+}
+
 /* The only call in an arithmetic expression of numbers and own scalars. If the expression has
  * another form, clears *is_plain; the result is then NULL. */
 static ir_node *call_among(const ir_node *node, bool *is_plain) {
     if (node->kind == IR_CALL)
         return (ir_node *)node;
     *is_plain &= node->kind == IR_NUMBER || node->kind == IR_CAST || is_own_scalar(node) ||
+                 assigns_own_scalar(node) ||
                  (node->kind == IR_UNARY && node->op >= IR_OP_PLUS && node->op <= IR_OP_BIT_NOT) ||
                  (node->kind == IR_BINARY && node->op <= IR_OP_NOT_EQUAL);
     ir_node *found = NULL;
@@ -153,14 +203,41 @@ static ir_node *call_among(const ir_node *node, bool *is_plain) {
     return *is_plain ? found : NULL;
 }
 
+/* Is it `x = ...` with a variable that the called function may know? It is stored after the call.
+ */
+static bool stores_variable(const ir_node *node) {
+    const ir_type *type = node->children[0]->type;
+    return node->op == IR_OP_NONE && node->children[0]->kind == IR_VARIABLE && type &&
+           ir_type_is_scalar(type) && !type->is_volatile && !type->is_atomic &&
+           node->children[0]->variable->storage != IR_THREAD_LOCAL;
+}
+
+/* The value of the only variable that the declaration declares, in a block; NULL if it has another
+ * form. */
+static const ir_node *only_value_declared(const ir_node *declaration) {
+    const ir_node *declarator = declaration->children[0];
+    return declaration->child_count == 1 && declaration->parent &&
+                   declaration->parent->kind == IR_BLOCK && declarator->kind == IR_DECLARATOR &&
+                   declarator->variable->storage == IR_LOCAL &&
+                   ir_type_is_scalar(declarator->variable->type)
+               ? ir_child(declarator, 0)
+               : NULL;
+}
+
 ir_node *call_in_statement(const ir_node *statement) {
+    bool is_plain = true;
+    if (statement->kind == IR_IF)
+        return call_among(statement->children[0], &is_plain);
+    if (statement->kind == IR_DECLARATION) {
+        const ir_node *value = only_value_declared(statement);
+        return value ? call_among(value, &is_plain) : NULL;
+    }
     ir_node *node = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
     while (node && node->kind == IR_CAST && node->type && node->type->kind == IR_VOID)
         node = node->children[0];
     if (!node || node->kind == IR_CALL)
         return node;
-    bool is_plain = true;
-    return node->kind == IR_ASSIGN && is_own_scalar(node->children[0])
+    return node->kind == IR_ASSIGN && (is_own_scalar(node->children[0]) || stores_variable(node))
                ? call_among(node->children[1], &is_plain)
                : NULL;
 }
@@ -173,7 +250,8 @@ ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
                             const ir_node *statement) {
     ir_node *call = call_in_statement(statement);
     const ir_function *function = call ? ir_called_function(call) : NULL;
-    if (!can_stand_in(unit, function) || !has_known_names(unit, caller, function->body) ||
+    if (!can_stand_in(unit, function) ||
+        !has_known_names(unit, caller, function->body, function->linkage.import != NULL) ||
         call->child_count != function->parameter_count + 1 ||
         statement->range.begin >= statement->range.end)
         return NULL;

@@ -6,16 +6,18 @@
 #include "ir/ir.h"
 
 /** The call in the statement if its arguments assign nothing, and if the function's body can
- * replace the call; NULL otherwise. The body must be in this file or its headers, and must not
- * contain labels, opaque parts, directives, attributes, static variables, a `return` in a loop, or
- * names of the file that mean something else in the caller. The result type must not be const. The
- * caller must make sure that functions called in the arguments change nothing, because the block
- * evaluates the arguments in their order. */
+ * replace the call; NULL otherwise. The body of a function of another file may only name what this
+ * file declares, and may contain a single addition of floating-point numbers, but no other
+ * operation on them. A body must not contain labels, opaque parts, directives, attributes, static
+ * variables, a `return` in a loop, or names of the file that mean something else in the caller. The
+ * result type must not be const. The caller must make sure that functions called in the arguments
+ * change nothing, because the block evaluates the arguments in their order. */
 ir_node *expandable_call_of(const ir_unit *unit, const ir_function *caller,
                             const ir_node *statement);
 
-/** The call in a statement `f(...);`, or `x = ...;` with an own scalar x and a value that contains
- * one call, and otherwise only numbers and own scalars. NULL if the statement has another form. */
+/** The call in a statement `f(...);`, or in `x = ...;` with a variable x, `int x = ...;` or
+ * `if (...)`, where the value or condition contains one call, and otherwise only numbers and own
+ * scalars. NULL if the statement has another form. */
 ir_node *call_in_statement(const ir_node *statement);
 
 /** Is the expression an own scalar: an automatic scalar variable whose address is not taken, so

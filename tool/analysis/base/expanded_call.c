@@ -8,17 +8,74 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expandable_call.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/returns.h"
 #include "ir/ir_accessors.h"
 #include "support/vector.h"
 
 /* ---- arguments ------------------------------------------------------------------------------- */
 
-/* Does the function use the parameter p only as *p or p->m, or as an argument of another call? */
-static bool is_only_followed(const ir_node *node, const ir_variable *parameter) {
+static bool is_null(const ir_node *node) {
+    int64_t value;
+    while (node->kind == IR_CAST)
+        node = node->children[0];
+    return expression_constant(node, &value) && value == 0;
+}
+
+/* The operand p if the node is p == NULL, p != NULL or !p; otherwise NULL. */
+static const ir_node *compared_with_null(const ir_node *node) {
+    const bool is_not = node->kind == IR_UNARY && node->op == IR_OP_NOT;
+    const bool compares = node->kind == IR_BINARY &&
+                          (node->op == IR_OP_EQUAL || node->op == IR_OP_NOT_EQUAL) &&
+                          is_null(node->children[1]);
+    const ir_node *operand = is_not || compares ? node->children[0] : NULL;
+    while (operand && operand->kind == IR_CAST && ir_is_pointer(operand))
+        operand = operand->children[0];
+    return operand;
+}
+
+/* Is the argument the address of an object, not reached through a pointer, which is never NULL? */
+static bool is_object_address(const ir_node *argument) {
+    if (!ir_is_address_of(argument) && argument->type->kind != IR_ARRAY)
+        return false;
+    const ir_node *object = ir_is_address_of(argument) ? argument->children[0] : argument;
+    while ((object->kind == IR_MEMBER && !(object->flags & IR_ARROW)) ||
+           (object->kind == IR_INDEX && ir_is_array(object->children[0])))
+        object = object->children[0];
+    return object->kind == IR_VARIABLE && !object->variable->has_other_name &&
+           (variable_is_automatic(object->variable) || object->variable->storage == IR_STATIC ||
+            object->variable->storage == IR_STATIC_LOCAL);
+}
+
+/* Does the function test whether the parameter is NULL? Compilers warn of such tests of arrays. If
+ * `is_object` is set, comparisons do not count, since their results replace them. */
+static bool is_tested(const ir_node *node, const ir_variable *parameter, bool is_object) {
+    const ir_node *compared = compared_with_null(node);
+    if (compared && expression_is_variable(compared, parameter))
+        return !is_object;
+    const bool is_truth =
+        node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR);
+    const bool is_condition = node->kind == IR_IF || node->kind == IR_CONDITIONAL ||
+                              node->kind == IR_WHILE || node->kind == IR_FOR ||
+                              node->kind == IR_DO || is_truth;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if ((is_condition && expression_is_variable(node->children[i], parameter)) ||
+            is_tested(node->children[i], parameter, is_object))
+            return true;
+    return false;
+}
+
+/* Does the function use the parameter p only as *p or p->m, as an argument of another call, where
+ * the program ends, or, if the argument is_object_address, in comparisons with NULL? */
+static bool is_only_followed(const ir_node *node, const ir_variable *parameter, bool is_object) {
+    const ir_node *compared = is_object ? compared_with_null(node) : NULL;
+    if (compared && expression_is_variable(compared, parameter))
+        return true;
     for (unsigned i = 0; i < node->child_count; i++) {
+        if (i == 1 && loop_exits_ends_program(node))
+            continue;
         if (!expression_is_variable(node->children[i], parameter)) {
-            if (!is_only_followed(node->children[i], parameter))
+            if (!is_only_followed(node->children[i], parameter, is_object))
                 return false;
         } else if (!(node->kind == IR_MEMBER && (node->flags & IR_ARROW)) &&
                    !(node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE) &&
@@ -85,10 +142,13 @@ static bool points_alike(const ir_type *from, const ir_type *to) {
 static bool can_replace(const ir_node *argument, const ir_variable *parameter,
                         const ir_node *body) {
     if (parameter->address_taken || parameter->type->is_volatile ||
-        variable_is_written_in(body, parameter) || !stays(argument, false))
+        variable_is_written_in(body, parameter) || !stays(argument, false) ||
+        (argument->type->kind == IR_ARRAY &&
+         is_tested(body, parameter, is_object_address(argument))))
         return false;
     if (points_alike(argument->type, parameter->type))
-        return argument->kind == IR_VARIABLE || is_only_followed(body, parameter) ||
+        return argument->kind == IR_VARIABLE ||
+               is_only_followed(body, parameter, is_object_address(argument)) ||
                (argument->type->kind == IR_ARRAY &&
                 stays_inside(body, parameter, argument->type->count));
     return (argument->kind == IR_VARIABLE || argument->kind == IR_NUMBER) &&
@@ -102,7 +162,9 @@ typedef struct copying {
     ir_function *caller;
     const ir_function *function;
     const ir_node *statement, *call;
-    ir_node **arguments; /* indexed by parameter; NULL if a variable replaces the parameter */
+    const ir_node *assigned; /* the assignment of the result in an `if` statement's condition, once
+                              * it has been copied */
+    ir_node **arguments;     /* indexed by parameter; NULL if a variable replaces the parameter */
     VECTOR(const ir_variable *) old;
     VECTOR(ir_variable *) added; /* added.items[i] replaces old.items[i] */
 } copying;
@@ -170,8 +232,31 @@ static void spell_value(copying *c, ir_node *node) {
                      node->type->spelling ? node->type->spelling : "int", (long long)node->value);
 }
 
+/* The result of comparing the address of an object with NULL; NULL if the node does not. */
+static ir_node *null_comparison(copying *c, const ir_node *node) {
+    const ir_node *compared = compared_with_null(node);
+    const ir_node *argument = compared ? argument_for(c, compared) : NULL;
+    if (!argument || !is_object_address(argument))
+        return NULL;
+    ir_node *result = new_node(c, IR_NUMBER, node->type, 0);
+    result->flags |= IR_HAS_VALUE;
+    result->value = node->op == IR_OP_NOT_EQUAL;
+    result->text = result->value ? "1" : "0";
+    return result;
+}
+
+/* The statement that ends the program. The messages before it may name the caller's variables by
+ * address. They are not needed, since no iteration executes this exit of the loop (loop_exits.h).
+ */
+static const ir_node *last_of(const ir_node *branch) {
+    return branch->kind == IR_BLOCK ? last_of(branch->children[branch->child_count - 1]) : branch;
+}
+
 static ir_node *copied(copying *c, const ir_node *node) {
     const ir_node *argument = argument_for(c, node);
+    ir_node *comparison = null_comparison(c, node);
+    if (comparison)
+        return comparison;
     if (argument) {
         ir_node *copy = ir_substitute(c->unit->arena, argument, NULL, NULL);
         mark(copy, c->statement->range);
@@ -187,7 +272,8 @@ static ir_node *copied(copying *c, const ir_node *node) {
     copy->text = node->text;
     copy->value = node->value;
     for (unsigned i = 0; i < node->child_count; i++) {
-        copy->children[i] = copied(c, node->children[i]);
+        const bool is_end = i == 1 && loop_exits_ends_program(node);
+        copy->children[i] = copied(c, is_end ? last_of(node->children[i]) : node->children[i]);
         is_replaced |= argument_for(c, node->children[i]) != NULL;
     }
     spell_value(c, copy);
@@ -197,7 +283,7 @@ static ir_node *copied(copying *c, const ir_node *node) {
 
 static ir_node *declaration_of(copying *c, ir_variable *variable, ir_node *value) {
     ir_node *declaration = new_node(c, IR_DECLARATION, NULL, 1);
-    ir_node *declarator = new_node(c, IR_DECLARATOR, variable->type, value ? 1 : 0);
+    ir_node *declarator = new_node(c, IR_DECLARATOR, NULL, value ? 1 : 0);
     declarator->variable = variable;
     if (value)
         declarator->children[0] = value;
@@ -211,7 +297,7 @@ static ir_node *own_copy(copying *c, const ir_node *node) {
     return copy;
 }
 
-/* The caller's statement with `result` in place of the call. */
+/* The caller's statement with `result` in place of the call. It keeps the branches of an `if`. */
 static ir_node *with_result(copying *c, const ir_node *node, ir_variable *result) {
     ir_node *copy;
     if (node == c->call) {
@@ -219,34 +305,55 @@ static ir_node *with_result(copying *c, const ir_node *node, ir_variable *result
         copy->variable = result;
         return copy;
     }
-    if (ir_is_expression(node) && !ir_contains(node, c->call))
-        return own_copy(c, node);
+    if (node == c->assigned)
+        return own_copy(c, node->children[0]);
+    if (!ir_contains(node, c->call))
+        return ir_is_expression(node) ? own_copy(c, node) : (ir_node *)node;
     copy = new_node(c, node->kind, node->type, node->child_count);
     copy->op = node->op;
+    copy->variable = node->variable;
     for (unsigned i = 0; i < node->child_count; i++)
         copy->children[i] = with_result(c, node->children[i], result);
     return copy;
 }
 
-/* The variables for parameters, the body's statements, and the caller's use of the result. */
-static ir_node *block_of(copying *c) {
+/* Copies `x = f()` of if ((x = f()) < 0) to a statement of its own; NULL if the condition has
+ * another form. The copy of the condition then reads x. */
+static ir_node *assignment_before(copying *c, ir_variable *result) {
+    const ir_node *node = c->call;
+    while (node != c->statement && node->kind != IR_ASSIGN)
+        node = node->parent;
+    if (c->statement->kind != IR_IF || node == c->statement)
+        return NULL;
+    ir_node *statement = new_node(c, IR_EXPRESSION, NULL, 1);
+    statement->children[0] = with_result(c, node, result);
+    c->assigned = node;
+    return statement;
+}
+
+/* The variables for parameters, the body's statements, and the caller's use of the result, except a
+ * declaration. */
+static ir_node *block_of(copying *c, ir_variable *result) {
     const ir_function *f = c->function;
-    const bool is_used = c->statement->children[0]->kind == IR_ASSIGN;
-    ir_variable *result = is_used ? add_variable(c, "result", f->type->target, NULL) : NULL;
     ir_node *body = copied(c, f->body);
     returns_take_out(c->unit->arena, body, result);
-    ir_node *block = new_node(c, IR_BLOCK, NULL, f->parameter_count + body->child_count + 2);
+    ir_node *block = new_node(c, IR_BLOCK, NULL, f->parameter_count + body->child_count + 3);
+    block->function = (ir_function *)f;
     block->flags = IR_SEQUENCE | IR_FROM_CALL | (c->statement->flags & IR_FROM_MACRO);
     block->child_count = 0;
     for (unsigned i = 0; i < f->parameter_count; i++)
         if (!c->arguments[i])
             block->children[block->child_count++] = declaration_of(
                 c, variable_for(c, f->parameters[i]), own_copy(c, c->call->children[i + 1]));
-    if (result)
+    const bool is_declaration = c->statement->kind == IR_DECLARATION;
+    if (result && !is_declaration)
         block->children[block->child_count++] = declaration_of(c, result, NULL);
     for (unsigned i = 0; i < body->child_count; i++)
         block->children[block->child_count++] = body->children[i];
-    if (result)
+    ir_node *assignment = result ? assignment_before(c, result) : NULL;
+    if (assignment)
+        block->children[block->child_count++] = assignment;
+    if (result && !is_declaration)
         block->children[block->child_count++] = with_result(c, c->statement, result);
     return block;
 }
@@ -279,18 +386,32 @@ static void count_addresses(const ir_function *caller, const ir_node *call) {
     }
 }
 
-static void exchange(const expanded_call *it, ir_node *old, ir_node *new) {
-    ir_node *parent = old->parent;
-    bool is_found = false;
-    for (unsigned i = 0; i < parent->child_count; i++)
-        if (parent->children[i] == old) {
-            parent->children[i] = new;
-            is_found = true;
-        }
-    assert(is_found);
-    (void)is_found;
+static unsigned number_in(const ir_node *parent, const ir_node *child) {
+    unsigned number = 0;
+    while (number + 1 < parent->child_count && parent->children[number] != child)
+        number++;
+    assert(parent->children[number] == child);
+    return number;
+}
+
+static void finish(const expanded_call *it) {
     ir_finish_function(it->caller);
     count_addresses(it->caller, call_in_statement(it->statement));
+}
+
+/* Puts three statements in the place of `int x = f();`: a declaration of the result, the block, and
+ * the declaration of x, which stays visible to the statements behind it. */
+static void insert(const copying *c, const expanded_call *it, ir_node *first, ir_node *last) {
+    ir_node *parent = it->statement->parent;
+    const unsigned at = number_in(parent, it->statement), count = parent->child_count;
+    ir_node **all = ARENA_ARRAY(c->unit->arena, ir_node *, count + 2);
+    for (unsigned i = 0; i < count; i++)
+        all[i < at ? i : i + 2] = parent->children[i];
+    all[at] = first;
+    all[at + 1] = it->block;
+    all[at + 2] = last;
+    parent->children = all;
+    parent->child_count = count + 2;
 }
 
 expanded_call expanded_call_take_in(ir_unit *unit, ir_function *caller, ir_node *statement) {
@@ -306,13 +427,31 @@ expanded_call expanded_call_take_in(ir_unit *unit, ir_function *caller, ir_node 
     for (unsigned i = 0; i < function->parameter_count; i++)
         if (can_replace(call->children[i + 1], function->parameters[i], function->body))
             c.arguments[i] = call->children[i + 1];
-    expanded_call done = {.caller = caller, .statement = statement};
-    done.block = block_of(&c);
+    const bool is_declaration = statement->kind == IR_DECLARATION;
+    const bool is_used =
+        statement->kind != IR_EXPRESSION || statement->children[0]->kind == IR_ASSIGN;
+    ir_variable *result = is_used ? add_variable(&c, "result", function->type->target, NULL) : NULL;
+    ir_node *parent = statement->parent;
+    expanded_call done = {.caller = caller,
+                          .statement = statement,
+                          .block = block_of(&c, result),
+                          .siblings = is_declaration ? parent->children : NULL};
+    if (is_declaration)
+        insert(&c, &done, declaration_of(&c, result, NULL), with_result(&c, statement, result));
+    else
+        parent->children[number_in(parent, statement)] = done.block;
     add_variables(&c);
-    exchange(&done, statement, done.block);
+    finish(&done);
     return done;
 }
 
 void expanded_call_put_back(const expanded_call *call) {
-    exchange(call, call->block, call->statement);
+    ir_node *parent = call->siblings ? call->statement->parent : call->block->parent;
+    if (call->siblings) {
+        parent->children = call->siblings;
+        parent->child_count -= 2;
+    } else {
+        parent->children[number_in(parent, call->block)] = call->statement;
+    }
+    finish(call);
 }

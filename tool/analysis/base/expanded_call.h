@@ -7,6 +7,8 @@
  * All nodes of the block have the call's range, like the nodes of an expanded macro: generated code
  * prints them instead of copying text. The user's text keeps the call, also in the sequential form.
  *
+ * `int e = force(...);` becomes a declaration of the result, the block and `int e = result;`.
+ *
  * An argument whose value cannot change during the call replaces its parameter. Other parameters
  * become variables, and the function's local variables are renamed. The statements after a
  * conditional `return` become its `else` (returns.h).
@@ -19,9 +21,10 @@
 /** A statement and the block that replaces it. */
 typedef struct expanded_call {
     ir_function *caller;
-    ir_node *statement; /* IR_EXPRESSION: the call, or an assignment to an own scalar
-                         * (expandable_call.h) of a value that contains the call */
-    ir_node *block;
+    ir_node *statement; /* the statement with the call (call_in_statement, expandable_call.h) */
+    ir_node *block;     /* its `function` is the called one */
+    ir_node **siblings; /* the statements around a declaration with a call; NULL if the statement is
+                         * no declaration */
 } expanded_call;
 
 /** Replaces a statement with an expandable call by the block, and adds the block's variables to the

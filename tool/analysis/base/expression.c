@@ -177,6 +177,7 @@ const ir_node *expression_written(const ir_node *node) {
 }
 
 ir_operator expression_mirrored(ir_operator op) {
+    assert(op >= IR_OP_LESS && op <= IR_OP_NOT_EQUAL);
     switch (op) {
     case IR_OP_LESS:
         return IR_OP_GREATER;

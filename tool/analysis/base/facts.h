@@ -322,18 +322,37 @@ enum { MOST_STEPPED = 4 };
 typedef struct loop_exit {
     ir_node *statement;
     ir_node *rest;
-    const ir_node *condition;
-    ir_node *holder; /* parent of the condition in the statement */
-    ir_node *parent; /* block of the statement */
-    bool is_negated; /* the loop is left if the condition does not hold */
-    bool is_kept;    /* the condition may assign variables, so that iterations evaluate it, too */
+    const ir_node *condition; /* of `rest` */
+    const ir_node *tested;    /* of the statement; `condition` negates it if the other branch leaves
+                               */
+    ir_node *otherwise;       /* the branch that stays, or NULL; `rest` has it, too */
+    ir_node *holder;          /* parent of `tested` in the statement */
+    ir_node *parent;          /* block of the statement */
+    bool is_negated;          /* the loop is left if the condition does not hold */
+    bool is_message;          /* the loop may continue after the branch, which prints */
+    bool is_kept;   /* the condition may assign variables, so that iterations evaluate it, too */
+    bool is_shared; /* a macro call, or a call that is expanded, has the same bytes */
 } loop_exit;
 
 enum { LOOP_MOST_EXITS = 8 };
 
+/** A loop without an upper bound (open_loop.h), and the nodes that stand for its condition and its
+ *  body while it is analysed and its code is generated. */
+typedef struct open_loop {
+    ir_node *loop;
+    ir_node **place;    /* where the loop has its condition */
+    ir_node *header;    /* the node there */
+    ir_node *condition; /* NULL: the loop has no condition */
+    ir_node *negation;  /* !condition */
+    ir_node *limited;   /* compares the counter with a limit */
+    ir_node *body;
+    ir_node *block; /* the body with an exit for the condition, if there is one, in front */
+} open_loop;
+
 typedef struct loop_exits {
     unsigned count;
     loop_exit items[LOOP_MOST_EXITS];
+    const open_loop *open; /* NULL if the loop has a bound */
 } loop_exits;
 
 /** A loop-invariant pointer that is loaded through another pointer, and the variable that replaces
@@ -441,8 +460,8 @@ typedef struct loop_inspector {
     unsigned span_count;
     const loop_span *spans;
     unsigned hull_count;
-    const ir_node *const *hulls; /* inner loops whose first and last iterations have the extreme
-                                  * addresses of their updates (loop/hulls.h) */
+    const ir_node *const *hulls; /* inner loops that update their lowest and highest addresses
+                                  * in their first and last iterations (loop/hulls.h) */
     unsigned key_count; /* number of invariant scalars and pointers on which the slice depends */
     const ir_node *const *key;
 } loop_inspector;

@@ -6,6 +6,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/library.h"
+#include "analysis/base/open_loop.h"
 #include "analysis/base/stateful.h"
 
 /* ---- assertions ------------------------------------------------------------------------------ */
@@ -52,6 +53,11 @@ const ir_node *assertion_condition(const ir_node *node) {
 
 /* ---- branches that leave --------------------------------------------------------------------- */
 
+static bool ends_program(const ir_node *node) {
+    return node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+           node->children[0]->function->is_noreturn;
+}
+
 static bool always_leaves(const ir_node *node, bool break_leaves) {
     switch (node->kind) {
     case IR_RETURN:
@@ -59,11 +65,8 @@ static bool always_leaves(const ir_node *node, bool break_leaves) {
         return true;
     case IR_BREAK:
         return break_leaves;
-    case IR_EXPRESSION: {
-        const ir_node *call = node->children[0];
-        return call->kind == IR_CALL && call->children[0]->kind == IR_FUNCTION &&
-               call->children[0]->function->is_noreturn;
-    }
+    case IR_EXPRESSION:
+        return ends_program(node->children[0]);
     case IR_BLOCK:
         return node->child_count > 0 &&
                always_leaves(node->children[node->child_count - 1], break_leaves);
@@ -92,9 +95,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 
 /* ---- conditions ------------------------------------------------------------------------------ */
 
-/* Does the node forbid evaluating the condition separately? Assignments to automatic variables do
- * not, as in `if ((p = next[i]) < 0)`. Calls are analysed like the loop's other calls. */
-static bool is_beyond_evaluation(const ir_node *node) {
+bool loop_exits_cannot_evaluate(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (written)
         return written->kind != IR_VARIABLE || !variable_is_automatic(written->variable);
@@ -112,13 +113,23 @@ static bool is_stateful(const ir_function *function) {
     return effect && strncmp(effect, "writes memory", 13) != 0;
 }
 
-/* Does the statement print or keep state, itself or in functions that it calls? The branches of
+/* Does the node write an element or a member, not of a local variable? */
+static bool writes_memory(const ir_node *node) {
+    const ir_node *written = expression_written(node);
+    const ir_variable *root = written ? ir_root_variable(written) : NULL;
+    return written && written->kind != IR_VARIABLE &&
+           !(root && variable_is_automatic(root) && root->type->kind == IR_ARRAY);
+}
+
+/* Does the statement print or keep state, itself or in functions that it calls? A function that
+ * updates elements is not called for its messages. The branches of
  * inner `if` statements in the loop's own text are not searched here; find_exits examines them
  * separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;
-        if (function->body ? depth < DEEPEST_MESSAGE && has_message(function->body, depth + 1)
+        if (function->body ? depth < DEEPEST_MESSAGE && !ir_any(function->body, writes_memory) &&
+                                 has_message(function->body, depth + 1)
                            : is_stateful(function))
             return true;
     }
@@ -129,10 +140,27 @@ static bool has_message(const ir_node *node, unsigned depth) {
     return false;
 }
 
-static bool is_with_message(const ir_node *statement) {
-    const ir_node *branch = statement->children[1];
-    return !ir_any(statement->children[0], is_beyond_evaluation) && has_message(branch, 0) &&
+static bool is_with_message(const ir_node *statement, const ir_node *branch) {
+    return !ir_any(statement->children[0], loop_exits_cannot_evaluate) && has_message(branch, 0) &&
            !ir_may_be_entered(branch);
+}
+
+static bool leaves_function(const ir_node *node) {
+    return node->kind == IR_RETURN || node->kind == IR_GOTO;
+}
+
+static bool is_check(const ir_node *node) {
+    return node->kind == IR_IF &&
+           (has_message(node->children[1], 0) || ir_any(node->children[1], ends_program));
+}
+
+bool loop_exits_ends_program(const ir_node *node) {
+    return node->kind == IR_IF && branch_leaves(node->children[1], false) &&
+           !ir_any(node->children[1], leaves_function);
+}
+
+bool loop_exits_has_check(const ir_node *body) {
+    return ir_any(body, is_check);
 }
 
 /* ---- exits of the loop ---------------------------------------------------------------------- */
@@ -153,8 +181,7 @@ static unsigned last_id(const ir_node *node) {
  * its range. */
 static bool has_own_bytes(const ir_node *statement) {
     const ir_node *block = statement->parent;
-    if (statement->range.begin >= statement->range.end || block->kind != IR_BLOCK ||
-        block->flags & IR_FROM_MACRO)
+    if (statement->range.begin >= statement->range.end || block->flags & IR_FROM_MACRO)
         return false;
     for (unsigned i = 0; i < block->child_count; i++) {
         const ir_node *other = block->children[i];
@@ -172,31 +199,61 @@ static bool has_branch_of_own_bytes(const ir_node *statement, const ir_node *con
            branch->end <= statement->range.end;
 }
 
-static void add(search *s, ir_node *statement, const ir_node *condition, bool is_negated) {
+/* Can the other branch be the one that leaves? Its condition, !c, needs the type of c. */
+static bool is_truth_value(const ir_node *node) {
+    return (node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_OR) ||
+           (node->kind == IR_UNARY && node->op == IR_OP_NOT);
+}
+
+/* The negation of an `if` statement's condition. */
+static const ir_node *negated(arena *a, const ir_node *tested) {
+    ir_node *opposite = ir_new(a, IR_UNARY, tested->type, 1);
+    opposite->op = IR_OP_NOT;
+    opposite->range = tested->range;
+    opposite->flags = tested->flags & (IR_FROM_MACRO | IR_FROM_CALL);
+    opposite->id = tested->id;
+    opposite->children[0] = (ir_node *)tested;
+    return opposite;
+}
+
+/* Adds the exit. `otherwise` is the statement's branch that stays. */
+static void add(search *s, ir_node *statement, const ir_node *tested, bool is_negated,
+                ir_node *otherwise, bool is_message) {
     loop_exits *found = s->found;
+    const bool is_other = otherwise && otherwise == statement->children[1];
+    const ir_node *condition = is_other ? negated(s->memory, tested) : tested;
     const bool is_kept = !expression_is_plain(condition); /* a call may write variables, too */
-    if (found->count == LOOP_MOST_EXITS || ir_any(condition, is_beyond_evaluation) ||
-        !has_own_bytes(statement) ||
-        (is_kept && (is_negated || !has_branch_of_own_bytes(statement, condition)))) {
+    const bool is_shared =
+        otherwise || statement->flags & IR_FROM_CALL || !has_own_bytes(statement) ||
+        (is_kept && !is_negated && !has_branch_of_own_bytes(statement, condition));
+    if (found->count == LOOP_MOST_EXITS || ir_any(condition, loop_exits_cannot_evaluate) ||
+        statement->parent->kind != IR_BLOCK || (is_kept && is_negated)) {
         s->is_over = true;
         return;
     }
-    ir_node *rest = ir_new(s->memory, IR_IF, NULL, 2);
+    ir_node *rest = ir_new(s->memory, IR_IF, NULL, otherwise ? 3 : 2);
     ir_node *end = ir_new(s->memory, IR_CONTINUE, NULL, 0);
+    end->flags = IR_LEAVES;
     rest->id = statement->id;
     rest->parent = statement->parent;
     rest->range = end->range = (ir_range){statement->range.begin, statement->range.begin};
     rest->children[0] = (ir_node *)condition;
     rest->children[1] = end;
+    if (otherwise)
+        rest->children[2] = otherwise;
     end->parent = rest;
-    end->id = last_id(condition) + 1;
+    end->id = last_id(tested) + 1;
     found->items[found->count++] = (loop_exit){.statement = statement,
                                                .rest = rest,
                                                .condition = condition,
-                                               .holder = condition->parent,
+                                               .tested = tested,
+                                               .otherwise = otherwise,
+                                               .holder = tested->parent,
                                                .parent = statement->parent,
                                                .is_negated = is_negated,
-                                               .is_kept = is_kept};
+                                               .is_kept = is_kept,
+                                               .is_shared = is_shared,
+                                               .is_message = is_message};
 }
 
 /* The condition that the statement asserts, as an expression or as the last part of a sequence
@@ -214,17 +271,28 @@ static const ir_node *asserted_by(const ir_node *statement) {
     return asserted_by(statement->children[statement->child_count - 1]);
 }
 
+/* Does the branch with this number leave the loop, or print? */
+static bool is_exit(const ir_node *statement, unsigned number, bool break_leaves) {
+    const ir_node *branch = statement->children[number];
+    return (number == 1 || is_truth_value(statement->children[0])) &&
+           (branch_leaves(branch, break_leaves) || is_with_message(statement, branch));
+}
+
 static void find_exits(search *s, ir_node *node, bool break_leaves) {
     const ir_node *condition = ir_is_loop(node) ? NULL : asserted_by(node);
     if (condition) {
-        add(s, node, condition, true);
+        add(s, node, condition, true, NULL, false);
         return;
     }
-    if (node->kind == IR_IF && node->child_count == 2 &&
-        (branch_leaves(node->children[1], break_leaves) || is_with_message(node))) {
-        add(s, node, node->children[0], false);
-        return;
-    }
+    for (unsigned i = 1; node->kind == IR_IF && i < node->child_count; i++)
+        if (is_exit(node, i, break_leaves)) {
+            ir_node *otherwise = ir_child(node, 3 - i);
+            const bool is_message = !branch_leaves(node->children[i], break_leaves);
+            add(s, node, node->children[0], false, otherwise, is_message);
+            if (otherwise)
+                find_exits(s, otherwise, break_leaves);
+            return;
+        }
     if (ir_is_loop(node) || node->kind == IR_SWITCH)
         break_leaves = false;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -245,12 +313,17 @@ static void exchange(ir_node *parent, const ir_node *old, ir_node *new) {
 }
 
 void loop_exits_take_out(const loop_exits *exits) {
+    if (exits)
+        open_loop_limit(exits->open);
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const loop_exit *it = &exits->items[i];
         assert(it->parent && it->rest && it->statement->parent == it->parent);
         exchange(it->parent, it->statement, it->rest);
         it->statement->parent = NULL;
+        ((ir_node *)it->tested)->parent = (ir_node *)it->condition;
         ((ir_node *)it->condition)->parent = it->rest;
+        if (it->otherwise)
+            it->otherwise->parent = it->rest;
     }
 }
 
@@ -260,21 +333,41 @@ void loop_exits_put_back(const loop_exits *exits) {
         assert(it->rest->parent == it->parent);
         exchange(it->parent, it->rest, it->statement);
         it->statement->parent = it->parent;
-        ((ir_node *)it->condition)->parent = it->holder;
+        ((ir_node *)it->tested)->parent = it->holder;
+        if (it->otherwise)
+            it->otherwise->parent = it->statement;
     }
+    if (exits)
+        open_loop_restore(exits->open);
 }
 
 void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
     for (unsigned i = 0; exits && i < exits->count; i++) {
-        ir_node *rest = exits->items[i].rest;
-        if (exits->items[i].is_kept) {
+        const loop_exit *it = &exits->items[i];
+        ir_node *rest = it->rest;
+        if (it->is_kept) {
             rest->children[1]->kind = are_hidden ? IR_BLOCK : IR_CONTINUE;
             continue;
         }
         assert(rest->kind == (are_hidden ? IR_IF : IR_BLOCK));
         rest->kind = are_hidden ? IR_BLOCK : IR_IF;
-        rest->child_count = are_hidden ? 0 : 2;
+        rest->child_count = it->otherwise ? 1 : 0;
+        rest->children[0] = it->otherwise;
+        if (!are_hidden) {
+            rest->children[0] = (ir_node *)it->condition;
+            rest->child_count = it->otherwise ? 3 : 2;
+        }
     }
+}
+
+bool loop_exits_mention(const loop_exits *exits, const ir_variable *variable) {
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        const ir_node *statement = exits->items[i].statement;
+        for (unsigned n = 1; statement->kind == IR_IF && n < statement->child_count; n++)
+            if (expression_mentions(statement->children[n], variable))
+                return true;
+    }
+    return false;
 }
 
 const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement) {

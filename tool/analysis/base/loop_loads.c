@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/loop_loads.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -76,6 +77,7 @@ typedef struct naming {
 } naming;
 
 static void name_load(naming *n, const ir_node *node) {
+    assert(is_load(node));
     int64_t offset;
     const ir_node *under = pointer_under(node, &offset);
     if (is_load(under))
@@ -146,6 +148,7 @@ typedef struct search {
 } search;
 
 static ir_variable *add_load(search *s, const ir_node *node) {
+    assert(is_load(node));
     loop_loads *found = s->found;
     ir_variable *variable = named(s->unit->variable_count, s->unit->variables, s->function, node);
     for (unsigned i = 0; variable && i < found->count; i++)
@@ -190,15 +193,19 @@ loop_loads *loop_loads_find(arena *a, const ir_unit *unit, const ir_function *fu
 }
 
 void loop_loads_take_out(const loop_loads *loads) {
-    for (unsigned i = 0; loads && i < loads->uses.count; i++)
-        loads->uses.items[i].parent->children[loads->uses.items[i].number] =
-            loads->uses.items[i].stand_in;
+    for (unsigned i = 0; loads && i < loads->uses.count; i++) {
+        const load_use *use = &loads->uses.items[i];
+        assert(use->parent->children[use->number] == use->node);
+        use->parent->children[use->number] = use->stand_in;
+    }
 }
 
 void loop_loads_put_back(const loop_loads *loads) {
-    for (unsigned i = 0; loads && i < loads->uses.count; i++)
-        loads->uses.items[i].parent->children[loads->uses.items[i].number] =
-            loads->uses.items[i].node;
+    for (unsigned i = 0; loads && i < loads->uses.count; i++) {
+        const load_use *use = &loads->uses.items[i];
+        assert(use->parent->children[use->number] == use->stand_in);
+        use->parent->children[use->number] = use->node;
+    }
 }
 
 bool loop_loads_has(const loop_loads *loads, const ir_variable *variable) {

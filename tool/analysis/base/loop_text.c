@@ -36,6 +36,7 @@ bool file_names(const ir_unit *unit, const char *word) {
 }
 
 uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number) {
+    assert(number < unit->directive_count);
     const ir_directive *d = &unit->directives[number];
     return d->is_skipped && number + 1 < unit->directive_count ? d[1].range.begin : d->range.end;
 }
@@ -48,6 +49,7 @@ static bool is_blank(const ir_unit *unit, uint32_t begin, uint32_t end) {
 
 /* Index of the #if to which the #endif with index `last` belongs; `last` if it has none. */
 static unsigned first_of_group(const ir_unit *unit, unsigned last) {
+    assert(unit->directives[last].kind == IR_DIRECTIVE_ENDIF);
     unsigned depth = 0;
     for (unsigned i = last;; i--) {
         depth += unit->directives[i].kind == IR_DIRECTIVE_ENDIF;
@@ -205,6 +207,7 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
 
 /* Is a name split over two lines at this byte? A search for the name would miss it. */
 static bool splits_a_name(const char *text, uint32_t at) {
+    assert(at > 0);
     return text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r') &&
            source_is_name_byte(text[at - 1]);
 }

@@ -198,6 +198,7 @@ static const ir_node *inner_loop_of(const query *q, const ir_variable *variable)
 /* ---- terms ---------------------------------------------------------------------------------- */
 
 static void add_range(query *q, const ir_node *inner, const ir_variable *variable, terms *t) {
+    assert(inner->kind == IR_FOR);
     const ir_variable *counter;
     int64_t first, last;
     const ir_node *start = start_in(inner->children[0], variable);

@@ -38,6 +38,8 @@ static bool is_counter(const loop_analysis *j, const ir_node *node) {
 
 static void add_comparison(const loop_analysis *j, limit_list *list, const ir_node *condition,
                            bool holds) {
+    assert(condition->kind == IR_BINARY && condition->op >= IR_OP_LESS &&
+           condition->op <= IR_OP_NOT_EQUAL);
     const ir_node *left = condition->children[0], *right = condition->children[1];
     const bool is_left = is_counter(j, left);
     if (!is_left && !is_counter(j, right))
@@ -139,20 +141,29 @@ bool executed_certainly_in(const ir_node *outer, const ir_node *node) {
     return true;
 }
 
-/* Is there a `continue` of the loop before the node? */
-static bool is_passed_by(const ir_node *part, const ir_node *node) {
+/* Is there a `continue` of the loop before the node? With `stays`, those that leave it do not
+ * count. */
+static bool is_passed_by(const ir_node *part, const ir_node *node, bool stays) {
     if (part->kind == IR_CONTINUE)
-        return part->id < node->id;
+        return part->id < node->id && !(stays && part->flags & IR_LEAVES);
     if (ir_is_loop(part))
         return false;
     for (unsigned i = 0; i < part->child_count; i++)
-        if (is_passed_by(part->children[i], node))
+        if (is_passed_by(part->children[i], node, stays))
             return true;
     return false;
 }
 
-bool executed_in_each(const loop_analysis *j, const ir_node *node) {
+static bool is_executed(const loop_analysis *j, const ir_node *node, bool stays) {
     const ir_node *body = j->counted.body;
     return ir_contains(body, node) && executed_certainly_in(body, node) &&
-           !is_passed_by(body, node);
+           !is_passed_by(body, node, stays);
+}
+
+bool executed_in_each(const loop_analysis *j, const ir_node *node) {
+    return is_executed(j, node, false);
+}
+
+bool executed_in_each_staying(const loop_analysis *j, const ir_node *node) {
+    return is_executed(j, node, true);
 }

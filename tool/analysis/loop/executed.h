@@ -15,6 +15,8 @@ unsigned executed_limits(const loop_analysis *j, const ir_node *node, const coun
 bool executed_certainly_in(const ir_node *outer, const ir_node *node);
 /** Is the node of the body executed exactly once in each iteration? */
 bool executed_in_each(const loop_analysis *j, const ir_node *node);
+/** Is it executed exactly once in each iteration that does not leave the loop? */
+bool executed_in_each_staying(const loop_analysis *j, const ir_node *node);
 
 /** Do two reads of the same row have the same limits and checks, so that their extents are
  *  equal? */

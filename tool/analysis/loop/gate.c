@@ -160,6 +160,7 @@ reason check_text(const loop_analysis *j) {
  * switch around the loop, which then jumps into the loop. */
 static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                          unsigned switches) {
+    assert(switches <= loops_and_switches);
     switch (node->kind) {
     case IR_BREAK:
         if (!loops_and_switches)

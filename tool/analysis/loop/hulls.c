@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/loop/hulls.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 #include "analysis/base/stepped.h"
@@ -98,6 +100,7 @@ static bool has_independent_header(const outer_loop *t, const ir_node *inner) {
 /* Does the slice contain nothing below the node but declarations, spans, and loops with hulls whose
  * ranges are the same in each iteration? */
 static bool has_only_spans(const outer_loop *t, const ir_node *node) {
+    assert(node->id < t->j->function->node_count);
     const bool holds = t->j->slice.holds[node->id];
     if (holds && node->kind == IR_FOR)
         return has_independent_header(t, node) &&
@@ -117,6 +120,7 @@ static bool has_only_spans(const outer_loop *t, const ir_node *node) {
  * span record it? If the program skipped iterations, the addresses for these might be invalid and
  * wrap around. */
 static bool is_always_made(const outer_loop *t, const reduction_update *update) {
+    assert(ir_contains(t->span.loop, update->statement));
     bool is_in_span = false;
     for (const ir_node *node = update->statement->parent; node != t->span.loop;
          node = node->parent) {

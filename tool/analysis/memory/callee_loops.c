@@ -136,12 +136,12 @@ static bool is_certain_part(const callee_loops *loops, const ir_node *parent, co
 }
 
 bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node) {
-    if (!loops->are_known || returns_before(loops->body, node))
+    if (!loops->are_known)
         return false;
     for (const ir_node *part = node; part != loops->body; part = part->parent)
         if (!part->parent || !is_certain_part(loops, part->parent, part, node))
             return false;
-    return true;
+    return !returns_before(loops->body, node); /* last, because it walks the whole body */
 }
 
 /* ---- variables set once ---------------------------------------------------------------------- */

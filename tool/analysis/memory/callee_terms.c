@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/callee_terms.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
@@ -14,6 +16,7 @@
 /* For a[k], with a pointer a and k in [0, high], returns the array *(T (*)[high + 1])a. NULL if C
  * cannot spell the array's type. */
 static ir_node *widened(callee_rewriting *r, const ir_node *lvalue, int64_t high) {
+    assert(high >= 0 && high < INT64_MAX);
     arena *a = r->terms->memory;
     const ir_type *element = lvalue->type;
     if (!element->spelling || element->kind == IR_POINTER || element->kind == IR_ARRAY ||
@@ -189,6 +192,7 @@ static bool take_terms(callee_rewriting *r, element_bounds *all, const bound_ter
 
 static bool take_conditions(callee_rewriting *r, element_bounds *all, const ir_node *const *values,
                             unsigned count) {
+    assert(all->condition_count + count <= BOUNDS_MOST_CONDITIONS);
     for (unsigned i = 0; i < count; i++)
         all->conditions[all->condition_count++] = callee_rewrite(r, values[i]);
     return r->is_exact;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/callee_values.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/memory/alias.h"
 #include "analysis/memory/last_change.h"
@@ -150,6 +152,7 @@ static ir_node *one(callee_rewriting *r, const ir_node *change) {
 
 /* The value that a declarator, an assignment or an increment gives the variable. */
 static ir_node *value_given(callee_rewriting *r, const ir_node *node, const ir_node *change) {
+    assert(change->kind == IR_ASSIGN || change->kind == IR_DECLARATOR || ir_is_increment(change));
     const ir_node *site = r->site;
     ir_node *value;
     r->site = change;
@@ -171,6 +174,7 @@ static ir_node *value_after(callee_rewriting *r, const ir_node *node, last_chang
 /* The variable's value after an `if` that may change it: condition ? value : value. */
 static ir_node *value_of_branches(callee_rewriting *r, const ir_node *node,
                                   const ir_node *branches) {
+    assert(node->kind == IR_VARIABLE && branches->kind == IR_IF);
     ir_node *choice = ir_new(r->terms->memory, IR_CONDITIONAL, node->variable->type, 3);
     const ir_node *site = r->site;
     r->site = branches;

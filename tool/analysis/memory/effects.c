@@ -48,6 +48,7 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 /* The element a[call] for the call of a linear search, which returns the subscript of the last
  * element that it reads. */
 static const ir_node *found_element(arena *a, const ir_node *from, const ir_node *call) {
+    assert(from->kind == IR_INDEX);
     ir_node *element = ir_substitute(a, from, NULL, NULL);
     element->children[1] = ir_substitute(a, call, NULL, NULL);
     element->children[1]->parent = element;
@@ -167,6 +168,7 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
 /* Adds the reads of a call without side effects. An attribute, the user (`by_user`) or the analysis
  * of another file states that it has none. */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
+    assert(call->kind == IR_CALL);
     const ir_function *function = call->children[0]->function;
     if (library_is_locale_table(call))
         return;
@@ -224,6 +226,7 @@ static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
 /* The access's loops with the call's arguments substituted in their bounds. Clears is_exact if a
  * bound has side effects, or a global in it is not declared before the call. */
 static const source_loop *loops_for_caller(access_walk *w, access *item, const ir_node *call) {
+    assert(call->kind == IR_CALL && item->loop_count > 0);
     const ir_function *function = call->children[0]->function;
     source_loop *loops = ARENA_ARRAY(w->memory, source_loop, item->loop_count);
     for (unsigned i = 0; i < item->loop_count; i++) {
@@ -264,6 +267,7 @@ static const element_bounds *bounds_for_caller(access_walk *w, const element_bou
 
 static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
     const ir_function *function = call->children[0]->function;
+    assert(call->kind == IR_CALL && function && function->body);
     effects *all = w->all;
     if (call->child_count - 1 != function->parameter_count) {
         access_problem_add(w, REASON_IMPURE_CALL, call, function->name);

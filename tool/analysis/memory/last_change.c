@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/last_change.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 static const last_change unknown = {CHANGE_UNKNOWN, NULL};
@@ -53,6 +55,7 @@ last_change last_change_in(variable_facts *facts, const ir_variable *variable,
 /* The last change before `statement` in the block that contains it. */
 static last_change change_above(variable_facts *facts, const ir_variable *variable,
                                 const ir_node *statement) {
+    assert(statement->parent->kind == IR_BLOCK);
     const ir_node *block = statement->parent;
     unsigned i = 0;
     while (block->children[i] != statement)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/location.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/library.h"
 
@@ -17,6 +19,7 @@ static location pointed_location(const query *q, const ir_node *node, unsigned d
 
 static void add_step(location *l, const ir_field *field, const ir_record *record,
                      const ir_node *subscript) {
+    assert(l->step_count <= STEP_LIMIT && !(field && subscript));
     if (l->is_inexact)
         return;
     if (l->step_count == STEP_LIMIT) {
@@ -144,6 +147,7 @@ static bool is_result(const ir_node *value) {
 
 /* The location of pointer + n, n + pointer or pointer - n. */
 static location moved_location(const query *q, const ir_node *node, unsigned depth) {
+    assert(node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT));
     const ir_node *left = node->children[0];
     const bool left_is_pointer =
         left->type && (left->type->kind == IR_POINTER || left->type->kind == IR_ARRAY);
@@ -156,6 +160,7 @@ static location moved_location(const query *q, const ir_node *node, unsigned dep
 }
 
 static location cast_location(const query *q, const ir_node *node, unsigned depth) {
+    assert(node->kind == IR_CAST);
     const ir_node *operand = node->children[0];
     if (!operand->type || (operand->type->kind != IR_POINTER && operand->type->kind != IR_ARRAY))
         return unknown_location();
@@ -175,6 +180,7 @@ static void move_by_unknown(location *l) {
 }
 
 static location variable_location(const query *q, const ir_node *node, unsigned depth) {
+    assert(node->kind == IR_VARIABLE && depth <= LOOK_THROUGH_LIMIT);
     const ir_node *value = variable_single_definition(q->facts, node->variable);
     const ir_node *start = value ? NULL : variable_walk_start(q->facts, node->variable, q->scope);
     if (start && is_followed(start) && depth < LOOK_THROUGH_LIMIT) {

@@ -15,6 +15,7 @@ typedef struct range_of_block {
 } range_of_block;
 
 static bool is_in_range(const range_of_block *r, const ir_node *node) {
+    assert(r->from <= r->to && r->to < r->block->child_count);
     for (unsigned i = r->from; i <= r->to; i++)
         if (ir_contains(r->block->children[i], node))
             return true;

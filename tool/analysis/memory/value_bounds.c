@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/value_bounds.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -71,6 +72,7 @@ static void learn(bounding *b, const ir_variable *variable, known_value value) {
     if (!known && b->now.count == MOST_TRACKED)
         return;
     known = known ? known : &b->now.items[b->now.count++];
+    assert(b->now.count <= MOST_TRACKED);
     *known = value;
     known->variable = variable;
 }
@@ -247,6 +249,7 @@ static bool require(bounding *b, const ir_node *value) {
         return false;
     if (i == all->count)
         all->value[all->count++] = value;
+    static_assert(BOUNDS_MOST_CONDITIONS <= 8 * sizeof b->needs, "one bit for each condition");
     b->needs |= 1u << i;
     return true;
 }

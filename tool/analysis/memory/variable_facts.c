@@ -146,6 +146,7 @@ static bool is_only_read(const variable_facts *facts, const ir_node *address) {
 
 static bool has_write_in(variable_facts *facts, const ir_node *node, const ir_variable *variable,
                          bool counts_reading_calls) {
+    assert(facts->unit->variables[variable->id] == variable);
     const variable_fact *fact = &facts->facts[variable->id];
     unsigned last = expression_last_id(node);
     for (unsigned i = 0; i < fact->writes.count; i++) {
@@ -179,6 +180,7 @@ const ir_node *variable_single_definition(variable_facts *facts, const ir_variab
 const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
                                    const ir_node *scope) {
     const variable_fact *fact = variable_fact_of(facts, variable);
+    assert(fact->step_count <= fact->write_count);
     if (variable->storage != IR_LOCAL || variable->type->kind != IR_POINTER ||
         variable->address_taken || !fact->step_count || fact->write_count != fact->step_count + 1 ||
         !fact->start || expression_mentions(fact->start, variable))
@@ -340,6 +342,7 @@ bool variable_escapes(variable_facts *facts, const ir_variable *variable) {
         return true;
     if (fact->escape == ESCAPE_NOT_ASKED) {
         fact->escape = ESCAPE_IN_PROGRESS;
+        assert(facts->unit->variables[variable->id] == variable);
         bool escapes = false;
         for (unsigned i = 0; i < fact->occurrences.count && !escapes; i++)
             escapes = lvalue_escapes(facts, fact->occurrences.items[i], 0);

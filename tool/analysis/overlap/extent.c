@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/overlap/extent.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/counted.h"
@@ -187,9 +188,9 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
 }
 
 /* Plans a row that is monotonic in the counter, by its ends. In iterations that do not read the
- * row, the subscript may have any value, as in `x[t - 1]` where t is 0. If that is likely, no
- * condition on the counter excludes these iterations, and the inspector can record the reads
- * instead (`can_be_recorded`), returns false. */
+ * row, the subscript may have any value, as in `x[t - 1]` where t is 0, or behind an iteration that
+ * leaves the loop. If that is likely, no condition on the counter excludes these iterations, and
+ * the inspector can record the reads instead (`can_be_recorded`), returns false. */
 static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
@@ -197,7 +198,7 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
     row_address address;
     const bool is_known = row_address_of(item->row, &address);
     item->extent = EXTENT_AFFINE;
-    item->is_sometimes = read->access.is_conditional;
+    item->is_sometimes = read->access.is_conditional || j->left_out.exits;
     item->is_checked = item->is_sometimes || (is_known ? may_wrap(&address, counter)
                                                        : subscripts_may_wrap(item->row, counter));
     if (item->is_checked && (!is_known || counter->type->kind == IR_POINTER))
@@ -217,7 +218,8 @@ static bool plan_known(const loop_analysis *j, const loop_access *read, bool can
     plan->source.is_sometimes = read->access.is_conditional;
     if (is_invariant_row(j, plan->source.row))
         return !plan->source.is_sometimes || row_address_of(plan->source.row, &address);
-    return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_recorded, plan);
+    return !(j->left_out.exits && j->left_out.exits->open) && /* the last iteration is unknown */
+           is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_recorded, plan);
 }
 
 /* Is the expression made of variables that the loop does not change, of loads, and of counters of
@@ -365,6 +367,7 @@ static const element_bounds *constant_bounds(const loop_analysis *j, const loop_
         row->type->size <= 0 || !is_counter_and_constant(row->children[1]) ||
         !counted_range(row->children[1], &low.offset, &high.offset))
         return NULL;
+    assert(low.offset <= high.offset);
     element_bounds *bounds = ARENA_NEW(j->an->memory, element_bounds);
     *bounds = (element_bounds){.base = row->children[0],
                                .element = row->type,
@@ -431,6 +434,7 @@ static bool plan_found(const loop_analysis *j, const loop_access *read, source_p
     if (!variable || after->kind != IR_EXPRESSION)
         return false;
     ir_node *row = ir_substitute(j->an->memory, read->access.from, NULL, NULL);
+    assert(row->kind == IR_INDEX);
     row->children[1] = ir_substitute(j->an->memory, variable, NULL, NULL);
     row->children[1]->parent = row;
     plan->source.row = row;
@@ -455,6 +459,7 @@ static bool plan_search_end(const loop_analysis *j, const loop_access *read, con
 
 bool source_plans_of_search(const loop_analysis *j, const loop_access *read, source_plan *first,
                             source_plan *last) {
+    assert(read->access.from && read->access.to && read->access.node->kind == IR_CALL);
     const ir_node *base = read->where.base;
     const ir_node *call = read->access.node;
     if (!base || !is_fixed_base(j, base) || !can_be_spelled(j, base) ||

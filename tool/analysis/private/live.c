@@ -96,6 +96,7 @@ static paths paths_of_step(const search *s, const ir_node *loop) {
 /* Paths from a point in the body until the loop ends. `all` are the paths from that point to the
  * end of the body. */
 static paths paths_out(const search *s, const ir_node *loop, paths all) {
+    assert(ir_is_loop(loop));
     const paths step = paths_of_step(s, loop);
     all = then(landed(all, PATH_CONTINUES), step);
     if (all & PATH_PASSES)
@@ -183,6 +184,7 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
 /* Paths from the end of `node` to the end of the node around it; `all` are the paths to the end of
  * `node`. */
 static paths paths_after(const search *s, const ir_node *node, paths all) {
+    assert(node->parent);
     const ir_node *parent = node->parent;
     if (ir_is_loop(parent) && node == ir_loop_body(parent))
         return paths_out(s, parent, all);

@@ -4,6 +4,7 @@
 #include "analysis/private/privates.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/private/live.h"
 
 /* Is the write a statement such as k = e;? Generated code can then record the iteration after its
@@ -30,19 +31,22 @@ static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable 
     return true;
 }
 
+/* A variable that only the branch of an exit reads gets a last value if that is possible. Otherwise
+ * the loop cannot continue at the exit (plan/continuation.h). */
 static bool check_last_value(loop_analysis *j, private_variable *item) {
     const ir_variable *variable = item->variable;
     if (item->is_declared_inside || item->is_declared_in_header || item->is_stepped)
         return true;
     if (variable_escapes(j->an->facts, variable))
         return analysis_refuse(j, REASON_ESCAPES, j->loop, variable->name);
-    if (!variable_is_live_after(j->an->facts, j->an->openmp, j->loop, variable))
+    const bool is_live = variable_is_live_after(j->an->facts, j->an->openmp, j->loop, variable);
+    if (!is_live && !loop_exits_mention(j->left_out.exits, variable))
         return true;
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
     item->is_live_after = result.assigned_at_end;
     item->is_conditional_live_out =
         !result.assigned_at_end && is_assigned_by_statements(j, variable);
-    return item->is_live_after || item->is_conditional_live_out ||
+    return item->is_live_after || item->is_conditional_live_out || !is_live ||
            analysis_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
 }
 

@@ -4,6 +4,8 @@
  * matter. */
 #include "analysis/private/step_sum.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted_stride.h"
 #include "analysis/base/expression.h"
 #include "analysis/loop/executed.h"
@@ -15,7 +17,7 @@ static bool is_in_header(const loop_analysis *j, const ir_node *write) {
 
 bool step_is_in_each(const loop_analysis *j, const ir_node *write) {
     if (ir_contains(j->counted.body, write))
-        return executed_in_each(j, write);
+        return executed_in_each_staying(j, write);
     return is_in_header(j, write) && executed_certainly_in(j->loop->children[2], write);
 }
 
@@ -54,6 +56,7 @@ static bool is_steady(const loop_analysis *j, const ir_node *node) {
 
 /* Adds times * value. Returns false if there are too many different values. */
 static bool add_stride(private_variable *item, const ir_node *value, int64_t times) {
+    assert(times == 1 || times == -1);
     for (unsigned i = 0; i < item->stride_count; i++)
         if (expression_same(item->strides[i].value, value)) {
             item->strides[i].times += times;
@@ -241,6 +244,7 @@ bool step_sum(const loop_analysis *j, private_variable *item) {
         if (!add_through_copies(j, &sum))
             return false;
     }
+    assert(sum.stride_count <= MOST_STRIDES);
     *item = sum;
     return sum.step <= INT32_MAX && sum.step >= -(int64_t)INT32_MAX;
 }

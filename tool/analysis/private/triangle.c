@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/private/triangle.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/counted_stride.h"
 #include "analysis/base/expression.h"
@@ -17,6 +19,7 @@ static bool may_skip_iterations(const ir_node *body) {
  * sum is permitted only with `c = 1`, which does not wrap around, because the counter itself
  * reaches `i + 1`. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
+    assert(row->type->kind == IR_INTEGER);
     *offset = 0;
     if (expression_is_variable(node, row))
         return true;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/reduction/saturation.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/update_form.h"
 
@@ -25,10 +27,11 @@ static bool is_step_up(const ir_node *node, const ir_node *target) {
             (form.value->children[1] == form.self && is_one(form.value->children[0])));
 }
 
+/* The type's greatest value; INT64_MAX if that is greater, since constants are held as int64_t. */
 static int64_t highest_of(const ir_type *type) {
+    assert(type->kind == IR_INTEGER && type->size > 0);
     const int64_t bits = 8 * type->size - type->is_signed;
-    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is greater than
-                                                              * INT64_MAX */
+    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX;
 }
 
 /* Is the constant greater than 0, and does the comparison convert neither operand to another
@@ -42,6 +45,7 @@ static bool compares_numbers(const ir_type *counter, const ir_node *constant, in
 /* Is the condition R < C, R <= C - 1, or R != C where C is the type's greatest value? The operands
  * may be swapped. Sets *limit to C. */
 static bool is_below(const ir_node *condition, const ir_node *target, int64_t *limit) {
+    assert(target->type->kind == IR_INTEGER);
     const bool reads_left =
         condition->child_count == 2 && expression_same(condition->children[0], target);
     const ir_type *type = target->type;

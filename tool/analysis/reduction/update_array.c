@@ -149,6 +149,7 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
                                    .is_scattered = table};
     *number = j->arrays.count;
     VECTOR_PUSH(j->an->memory, &j->arrays, item);
+    assert(j->arrays.items[*number].first == target);
     return true;
 }
 
@@ -156,6 +157,7 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
  * first one, which may be of another field. */
 static bool check_neighbours(loop_analysis *j, const loop_access *update, update_kind kind,
                              loop_array *array, unsigned number) {
+    assert(number < j->arrays.count);
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
         if (other->class != CLASS_REDUCTION || other->array != number ||

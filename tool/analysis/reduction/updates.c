@@ -4,6 +4,8 @@
  * is refused at the first write that is none of these. */
 #include "analysis/reduction/updates.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/loop/conflict.h"
 #include "analysis/loop/own.h"
@@ -107,6 +109,7 @@ static bool refuse_store(loop_analysis *j, const loop_access *store) {
 
 static bool refuse_variable(loop_analysis *j, const loop_access *store) {
     const ir_variable *variable = store->where.object;
+    assert(variable && store->access.kind != ACCESS_READ);
     bool is_scalar = ir_type_is_scalar(variable->type);
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
     bool escapes = result.verdict == PRIVATE_UNKNOWN && variable_escapes(j->an->facts, variable);
@@ -300,6 +303,7 @@ static bool check_call(loop_analysis *j, loop_access *write) {
 /* Checks an update of several statements, v = h[k]; v += e; h[k] = v. Only the thread that owns the
  * element executes them. */
 static bool check_group(loop_analysis *j, loop_access *store, const update_group *group) {
+    assert(group->first->parent == group->last->parent && group->first->id <= group->last->id);
     unsigned number;
     const ir_node *target = group->element;
     const char *name = analysis_name(j, target);

@@ -49,6 +49,10 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
     return blanks;
 }
 
+const char *loop_made(const loop_text *loop) {
+    return loop->continues ? "redcc__made" : "redcc__trip";
+}
+
 const char *loop_counter_value(loop_text *loop) {
     const char *step = loop_step(loop);
     const bool is_one = strcmp(step, "1") == 0;

@@ -61,6 +61,8 @@ typedef struct loop_text {
     const array_text *arrays; /* same indices as facts->arrays */
     const char *counter_type; /* the spelling of the counter's type, for a declaration or a cast */
 
+    bool continues;  /* the original loop may continue at an iteration that leaves it, after
+                      * redcc__made iterations were executed (plan/continuation.h) */
     bool is_unfused; /* contraction is turned off in the loop's functions and its block */
     outline_text outline;
     const struct bins_plan *bins; /* plan->bins if the form for bins is being written; otherwise
@@ -82,6 +84,8 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset);
 /** The counter's step as text: "2", "redcc__stride". */
 const char *loop_step(loop_text *loop);
 
+/** The number of iterations that were executed in parallel: "redcc__trip", or "redcc__made". */
+const char *loop_made(const loop_text *loop);
 /** The counter's value in iteration redcc__k: "REDCC_COUNTER(int, 2 * redcc__k)". */
 const char *loop_counter_value(loop_text *loop);
 

@@ -91,17 +91,24 @@ const char *stepped_value(loop_text *loop, unsigned number) {
                         count_text(loop, item, turns, "redcc__k"));
 }
 
+const char *stepped_after(loop_text *loop, unsigned number) {
+    const private_variable *item = &loop->facts->variables.privates[number];
+    const char *from = item->entry ? arena_format(loop->arena, "redcc__from_%u", number)
+                                   : arena_format(loop->arena, "(redcc_word)%s",
+                                                  origin_variable(loop->arena, item->variable));
+    return arena_format(
+        loop->arena, "%s + %s * %s", from, stride_text(loop, item),
+        count_text(loop, item, item->inner.loop ? turns_text(loop, item) : "", loop_made(loop)));
+}
+
 void write_stepped_values(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
+        const bool is_wanted =
+            item->is_step_wanted || (loop->continues && !item->is_declared_in_header);
         const char *name = origin_variable(loop->arena, item->variable);
-        const char *from = item->entry ? arena_format(loop->arena, "redcc__from_%u", i)
-                                       : arena_format(loop->arena, "(redcc_word)%s", name);
-        if (item->is_stepped && item->is_step_wanted)
-            writer_line(out, "%s = (__typeof__(%s))(%s + %s * %s);", name, name, from,
-                        stride_text(loop, item),
-                        count_text(loop, item, item->inner.loop ? turns_text(loop, item) : "",
-                                   "redcc__trip"));
+        if (item->is_stepped && is_wanted)
+            writer_line(out, "%s = (__typeof__(%s))(%s);", name, name, stepped_after(loop, i));
     }
 }
 

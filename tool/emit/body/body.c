@@ -19,6 +19,7 @@
 #include "emit/bins/bins.h"
 #include "emit/body/copy.h"
 #include "emit/body/live_out.h"
+#include "emit/body/omitted.h"
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
@@ -139,8 +140,9 @@ static bool print_appends(body_copy *copy, const ir_node *statement) {
 
 static bool print_checked(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
-    if (print_appends(copy, statement) || print_operand(copy, statement) ||
-        print_forward(copy, statement) || print_noted(copy, statement))
+    if (is_step(copy->loop, statement) || print_appends(copy, statement) ||
+        print_operand(copy, statement) || print_forward(copy, statement) ||
+        print_noted(copy, statement))
         return true;
     if (copy->within == statement)
         return false;
@@ -344,57 +346,13 @@ static const char *printed_text(body_copy *copy, const ir_node *statement) {
     return writer_text(copy->loop->arena, &line);
 }
 
-static void drop_increment(body_copy *copy) {
-    const loop_text *loop = copy->loop;
-    const ir_node *increment = body_increment(loop->facts);
-    if (!increment)
-        return;
-    increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
-    replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),
-                  "");
-}
-
-static void drop_distributed_stores(body_copy *copy) {
-    const distribution *stores = copy->loop->facts->distribution;
-    for (unsigned i = 0; stores && i < stores->count; i++) {
-        const ir_node *store = stores->stores[i].statement;
-        replace_bytes(copy, store->range.begin,
-                      syntax_statement_end(copy->loop->unit->source, store), "{ }");
-    }
-}
-
-static void drop_exits(body_copy *copy) {
-    const loop_exits *exits = copy->loop->facts->slice.exits;
-    for (unsigned i = 0; exits && i < exits->count; i++) {
-        const ir_node *exit = exits->items[i].statement;
-        if (exits->items[i].is_kept)
-            exit = exit->children[1];
-        replace_bytes(copy, exit->range.begin, syntax_statement_end(copy->loop->unit->source, exit),
-                      "{ }");
-    }
-}
-
-/** Prints the statements around dead code in a macro's expansion. Such dead code cannot be dropped
- * by editing bytes, and may name variables that the copy does not get. */
-static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
-    if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
-        print_instead(copy, node->parent);
-    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
-        print_dead_in_macros(copy, node->children[i]);
-}
-
-static void drop_dead(body_copy *copy, const ir_node *node) {
-    if (node->flags & IR_DEAD && !is_printed(copy, node))
-        replace_bytes(copy, node->range.begin, node->range.end, "{ }");
-    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
-        drop_dead(copy, node->children[i]);
-}
-
 /** The body's text, with the user's parts marked. */
 static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
+    if (loop->facts->slice.exits && loop->facts->slice.exits->open)
+        VECTOR_PUSH(loop->arena, &copy->printed, body);
     if (body->range.begin <= loop->facts->loop->range.begin) /* one macro expands to header and
                                                               * body */
         VECTOR_PUSH(loop->arena, &copy->printed, body);
@@ -406,7 +364,7 @@ static const char *copied_text(body_copy *copy) {
         choose_noted(copy, body);
     visit_names(copy, body, print_name_in_macro);
     choose_accessors(copy, body);
-    print_dead_in_macros(copy, body);
+    print_around_omitted(copy);
     choose_printed_updates(copy);
     if (!loop->tiles)
         choose_printed_nests(copy, body);
@@ -423,10 +381,7 @@ static const char *copied_text(body_copy *copy) {
     if (is_printed(copy, body))
         return printed_text(copy, body);
 
-    drop_increment(copy);
-    drop_distributed_stores(copy);
-    drop_exits(copy);
-    drop_dead(copy, body);
+    drop_omitted(copy);
     for (unsigned i = 0; i < copy->printed.count; i++) {
         const ir_node *statement = copy->printed.items[i];
         replace_bytes(copy, statement->range.begin, syntax_statement_end(text, statement),

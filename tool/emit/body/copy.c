@@ -51,12 +51,23 @@ bool is_printed(const body_copy *copy, const ir_node *node) {
     return false;
 }
 
+/* The innermost statement around this one, or this one itself, whose bytes can be replaced; NULL if
+ * not even those of the body can. */
+static const ir_node *replaceable(const ir_node *statement, const ir_node *body) {
+    const ir_node *whole = NULL;
+    for (const ir_node *node = statement; node && !whole; node = node->parent) {
+        whole = syntax_editable_statement(node, body);
+        if (node == body)
+            break;
+    }
+    return whole;
+}
+
 void print_instead(body_copy *copy, const ir_node *statement) {
-    const ir_node *body = copy->loop->facts->counted.body;
-    const ir_node *whole = syntax_editable_statement(statement, body);
+    const ir_node *whole = replaceable(statement, copy->loop->facts->counted.body);
     if (!whole)
         loop_obstacle(copy->loop, statement->range,
-                      "one macro call expands to several statements of the body");
+                      "one macro call expands to the body's last statement and more");
     else if (!is_printed(copy, whole))
         VECTOR_PUSH(copy->loop->arena, &copy->printed, whole);
 }

@@ -31,7 +31,8 @@ const char *wrapping_name(const ir_node *node, void *context);
 void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text);
 
 /** Marks the statement to be printed from the IR instead of copied. If it is part of a macro's
- * expansion, the whole expanded statement is marked. Records an obstacle if that is impossible. */
+ * expansion, the whole expanded statement is marked, and if one macro call expands to several
+ * statements, the block around them. Records an obstacle if that is impossible. */
 void print_instead(body_copy *copy, const ir_node *statement);
 bool is_printed(const body_copy *copy, const ir_node *node);
 

@@ -90,7 +90,8 @@ static void copy_value(writer *out, const ir_type *type, const char *to, const c
 void note_live_outs(loop_text *loop, writer *out) {
     if (!has_live_outs(loop->facts))
         return;
-    writer_line(out, "if (redcc__k + 1 == redcc__trip && REDCC_CLAIMS_LAST) {");
+    writer_line(out, "if (redcc__k + 1 == %s && REDCC_CLAIMS_LAST) {",
+                loop->continues ? "REDCC_MADE" : "redcc__trip");
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
         if (item->is_live_after)

@@ -38,7 +38,7 @@ void store_own(loop_text *loop, writer *out) {
     if (facts->variables.own_count == 0)
         return;
     writer_line(out, "    redcc_int redcc__k;");
-    writer_line(out, "    for (redcc__k = 0; redcc__k < redcc__trip; redcc__k++) {");
+    writer_line(out, "    for (redcc__k = 0; redcc__k < %s; redcc__k++) {", loop_made(loop));
     writer_line(out, "        const %s %s = %s;", loop->counter_type,
                 origin_declarator(loop->arena, facts->counted.counter), loop_counter_value(loop));
     for (unsigned i = 0; i < facts->variables.own_count; i++) {

@@ -262,7 +262,7 @@ void apply_operands(loop_text *loop, writer *out) {
         name_operands(loop, out);
         if (adds_in_blocks(loop))
             write_sums(loop, out);
-        writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
+        writer_line(out, "    for (redcc__i = 0; redcc__i < %s; redcc__i++) {", loop_made(loop));
         apply_iteration(loop, out);
         writer_line(out, "    }");
     }

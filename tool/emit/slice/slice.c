@@ -42,10 +42,12 @@ static void write_exit(inspector *self, const loop_exit *exit) {
     const ir_node *condition = exit->rest->children[0];
     const char *operand = log_row_text(self, condition);
     const char *text = text_expression(self->loop->arena, condition, inspector_note_variable, self);
+    const char *leave =
+        self->loop->continues && !exit->is_message ? "REDCC_END_AT(redcc__k)" : "REDCC_LEAVE";
     if (exit->is_negated)
-        writer_line(self->printer.out, "if (!%s) REDCC_LEAVE", operand);
+        writer_line(self->printer.out, "if (!%s) %s", operand, leave);
     else if (text)
-        writer_line(self->printer.out, "if (%s) REDCC_LEAVE", text);
+        writer_line(self->printer.out, "if (%s) %s", text, leave);
 }
 
 static bool before_statement(printer *p, const ir_node *statement) {
@@ -68,6 +70,8 @@ static bool before_statement(printer *p, const ir_node *statement) {
     const loop_exit *exit = loop_exit_at(facts->slice.exits, statement);
     if (exit) {
         write_exit(self, exit);
+        if (exit->otherwise)
+            print_statement(p, exit->otherwise);
         return true;
     }
     self->is_unconditional = is_unconditional(facts, statement);

@@ -63,6 +63,7 @@ static void scan_byte(line_scan *line, const buffer *out, char byte) {
 /** Replaces the last blank after a comma, or else the last blank, by a line end and an
  *  indentation. */
 static void break_line(arena *scratch, line_scan *line, buffer *out) {
+    assert(line->comma || line->blank);
     const size_t at = line->comma ? line->comma : line->blank;
     const char *rest = arena_format(scratch, "%s", out->data + at + 1);
     buffer_shorten(out, out->length - at);
@@ -180,6 +181,7 @@ static bool is_enumerator(const ir_node *node) {
 
 /** A constant of the given type, as a primary expression. */
 static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
+    assert(type->kind == IR_INTEGER && type->size > 0);
     const bool is_long = type->size > 4;
     const bool is_very_long = is_long && type->spelling && strstr(type->spelling, "long long");
     const char *suffix = is_very_long ? "LL" : is_long ? "L" : "";
