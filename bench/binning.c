@@ -80,6 +80,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
     static redcc_binned N##_loop = {{"binning.c", __LINE__, #N, REDCC_ORDER_SERIAL, REDCC_BINNED,  \
                                      1, N##_arrays, 1, N##_sources, 0, 0},                         \
                                     1,                                                             \
+                                    0,                                                             \
                                     N##_streams};                                                  \
     static __attribute__((noinline)) void N##_sequential(const struct data *its, void *array) {    \
         const struct data mine = *its, *const d = &mine;                                           \
@@ -282,7 +283,7 @@ static void execute(const struct kernel *kernel, struct variant *variant, const 
     if (variant->method == &redcc_method_binning) {
         if (state->binning.bytes > variant->extra)
             variant->extra = state->binning.bytes;
-        variant->name = state->binning.copies ? "binning:copies" : "binning:records";
+        variant->name = state->binning.copies.count ? "binning:copies" : "binning:records";
     }
     variant->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
     variant->cpu[round] = (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) /
