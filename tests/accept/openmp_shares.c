@@ -7,7 +7,7 @@
 // SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: 32 41 53 77 90 102 113 126 138 151 163 175 185
 // THREADS: 1 2 3 7 16 33
-// MAY-RUN-SERIALLY: one loop reads what it updates, another is too short
+// MAY-RUN-SERIALLY: two loops read what they update, another is too short
 #include "case.h"
 
 enum { N = 24000, M = 300, LARGE = 9000 };
@@ -211,8 +211,17 @@ static void overlapping(int n, const int *at, const double *v, double *to) {
     }
 }
 
+/* `critical` protects the reads, too: other iterations update what they read. */
+static void limited(int n, const int *at, const int *from, const double *v, double *to) {
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+#pragma omp critical
+        to[at[t]] += v[from[t]] < 5 ? 1 : 0;
+    }
+}
+
 int main(void) {
-    static double between[3 * M];
+    static double between[3 * M], counted[M];
     static int begin[601];
     double total = 0;
     case_subscripts(s, N, M);
@@ -254,7 +263,11 @@ int main(void) {
         own(n, same, chain, chain);
         own_later(n, same, chain, chain, h);
         overlapping(n, same, chain, chain);
+        limited(n, s, s, counted, counted);
     }
+    for (int i = 0; i < M; i++)
+        if (counted[i] != 5)
+            return 1;
     CASE_PRINT(h);
     CASE_PRINT(between);
     CASE_PRINT(grown);
