@@ -57,7 +57,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
 #define COPIED(N, row, contribution)                                                               \
     do {                                                                                           \
         const N##_record e = contribution;                                                         \
-        if (redcc_is_copied(&to_0, row))                                                           \
+        if (redcc_is_copied(&chunk.bins, &copy[row]))                                              \
             N##_update(&copy[row], &e);                                                            \
     } while (0)
 #define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
@@ -128,8 +128,10 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
                     redcc_int t = worker.first;                                                    \
                     if (EXACT && REDCC_ARE_COPIED(&to_0)) {                                        \
                         ROW *const copy = redcc_copy_base(&to_0, &N##_streams[0], 0);              \
+                        redcc_chunk_bins chunk = redcc_chunk_bins_of(&to_0, 0, sizeof(ROW));       \
                         for (; t < last; t++)                                                      \
                             BODY(COPIED)                                                           \
+                        redcc_report_lacking(&chunk, sizeof(ROW));                                 \
                     } else                                                                         \
                         for (; t < last; t++)                                                      \
                             BODY(PUSHED)                                                           \

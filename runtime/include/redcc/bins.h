@@ -69,28 +69,43 @@ enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** A thread's bins of one stream, and the range of the chunk's rows of which it has no private
- * copy. They are reported after the chunk: a call in the loop would occupy registers. */
+/** A thread's bins of one stream, and its private copy of one array of the stream. Rows that the
+ * copy lacks are reported after the chunk: a call in the loop would occupy registers. */
 typedef struct redcc_chunk_bins {
     redcc_bins bins;
-    redcc_int lowest, highest; /* lowest > highest: no row */
+    redcc_size copy, bytes;    /* the private copy */
+    redcc_int lowest, highest; /* offsets from `copy` of what it lacks; lowest > highest: nothing */
 } redcc_chunk_bins;
 
-/** Does the thread have a private copy of this row? If not, returns 0 and records the row, so that
- * the copy made for the next attempt contains it. `bins` is the member of a redcc_chunk_bins. */
-REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
+/** Is this address in the private copy? If not, returns 0 and records the address, so that the copy
+ * made for the next attempt contains it. Addresses need no division, unlike row numbers. `bins` is
+ * the member of a redcc_chunk_bins. */
+REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, const void *at) {
     redcc_chunk_bins *const it = (redcc_chunk_bins *)(redcc_size)bins;
-    if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
+    const redcc_size offset = (redcc_size)at - it->copy;
+    if (__builtin_expect(offset < it->bytes, 1))
         return 1;
-    it->lowest = row < it->lowest ? row : it->lowest;
-    it->highest = row > it->highest ? row : it->highest;
+    it->lowest = (redcc_int)offset < it->lowest ? (redcc_int)offset : it->lowest;
+    it->highest = (redcc_int)offset > it->highest ? (redcc_int)offset : it->highest;
     return 0;
 }
-REDCC_INLINE void redcc_report_lacking(const redcc_chunk_bins *it) {
+REDCC_INLINE redcc_chunk_bins redcc_chunk_bins_of(const redcc_bins *bins, redcc_u32 part,
+                                                  redcc_u32 row_bytes) {
+    redcc_chunk_bins it = {*bins, (redcc_size)bins->copy[part], bins->span * row_bytes,
+                           (redcc_int)(~(redcc_word)0 >> 1), -(redcc_int)(~(redcc_word)0 >> 1) - 1};
+    return it;
+}
+REDCC_INLINE void redcc_report_lacking(const redcc_chunk_bins *it, redcc_int row_bytes) {
+    const redcc_bins *const bins = &it->bins;
     if (it->lowest > it->highest)
         return;
-    it->bins.calls->push_outside(it->bins.buffer, it->lowest);
-    it->bins.calls->push_outside(it->bins.buffer, it->highest);
+    /* rounded down, also below 0 */
+    bins->calls->push_outside(
+        bins->buffer,
+        bins->first + (it->lowest < 0 ? (it->lowest + 1) / row_bytes - 1 : it->lowest / row_bytes));
+    bins->calls->push_outside(bins->buffer,
+                              bins->first + (it->highest < 0 ? (it->highest + 1) / row_bytes - 1
+                                                             : it->highest / row_bytes));
 }
 
 /** A row number that no bin contains. */
@@ -135,21 +150,20 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
-    } else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, redcc_at))
 /** As REDCC_UPDATE_BY, for an update without operands: only its row is recorded. */
 #define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
-    else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, redcc_at))
 /** As REDCC_UPDATE_BY, for an update whose operands are in the record of an earlier
  * REDCC_UPDATE_BY: nothing is pushed. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
-    if (redcc__checked != REDCC_IN_BINS &&                                                         \
-        REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-#define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
+    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_at))
+#define REDCC_IS_MADE(redcc_i, redcc_at)                                                           \
     (redcc__checked == REDCC_IN_COPIES                                                             \
-         ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
+         ? redcc_is_copied(redcc__bins_##redcc_i, redcc_at)                                        \
          : !redcc__checked || redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of an element that is reached through a pointer, counted from address 0.
@@ -168,14 +182,14 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, &redcc__e);  \
-    } else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, redcc_at))
 #define REDCC_UPDATE_BEHIND_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at)            \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, 0);          \
-    else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, redcc_at))
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
-    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
+    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_at))
 
 /* Pushes a record of consecutive elements. The record has the first element's address, the number
  * of elements, and the values that the expression `redcc_set` assigns. `redcc_first_row` is the
@@ -234,18 +248,15 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, &redcc__e);  \
-    } else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),      \
-                             redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, redcc_at))
 #define REDCC_UPDATE_ROW_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,       \
                                redcc_part)                                                         \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);          \
-    else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),        \
-                           redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, redcc_at))
 #define REDCC_UPDATE_ROW_WITH(redcc_i, redcc_base, redcc_at, redcc_row, redcc_part)                \
-    if (redcc__checked != REDCC_IN_BINS &&                                                         \
-        REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
+    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_at))
 
 /** Precedes an inner loop with a constant number of iterations that update parts of one row. Pushes
  * one record, with all values that these iterations add (_BY), or with the row alone (_ALIKE). The
@@ -438,8 +449,11 @@ REDCC_RECORDS(float);
  * of its stream, and the array's base. Other chunks use REDCC_NO_BINS_OF. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
-    redcc_chunk_bins redcc__bin_##redcc_i = {redcc__all[redcc__part_##redcc_i.stream],             \
-                                             ~REDCC_NO_ROW, REDCC_NO_ROW};                         \
+    const redcc_u32 redcc__row_bytes_##redcc_i =                                                   \
+        redcc__streams[redcc__part_##redcc_i.stream].rows[redcc__part_##redcc_i.part];             \
+    redcc_chunk_bins redcc__bin_##redcc_i =                                                        \
+        redcc_chunk_bins_of(&redcc__all[redcc__part_##redcc_i.stream], redcc__part_##redcc_i.part, \
+                            redcc__row_bytes_##redcc_i);                                           \
     const redcc_bins *const redcc__bins_##redcc_i = &redcc__bin_##redcc_i.bins;                    \
     const redcc_owner redcc__owner_##redcc_i = {0, 0, 0, 0, 0, 0};                                 \
     void *const redcc__base_##redcc_i __attribute__((__unused__)) =                                \
@@ -454,7 +468,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_4_OF(redcc_of) REDCC_BINS_3_OF(redcc_of) redcc_of(3)
 #define REDCC_BINS_5_OF(redcc_of) REDCC_BINS_4_OF(redcc_of) redcc_of(4)
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
-#define REDCC_LACKING_OF(redcc_i) redcc_report_lacking(&redcc__bin_##redcc_i);
+#define REDCC_LACKING_OF(redcc_i)                                                                  \
+    redcc_report_lacking(&redcc__bin_##redcc_i, redcc__row_bytes_##redcc_i);
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
 /** Executes iterations whose updates are pushed, or made on copies. The bits of redcc_first_mask
