@@ -7,7 +7,7 @@
 // SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 // FIXED: 32 41 53 77 90 102 113 126 138 151 163 175 185
 // THREADS: 1 2 3 7 16 33
-// MAY-RUN-SERIALLY: two loops read what they update, another is too short
+// MAY-RUN-SERIALLY: three loops read what they update, another is too short
 #include "case.h"
 
 enum { N = 24000, M = 300, LARGE = 9000 };
@@ -220,6 +220,38 @@ static void limited(int n, const int *at, const int *from, const double *v, doub
     }
 }
 
+/* Rows read consecutive elements. Those of the last row are partly the elements that it updates: each of these updates
+ * is read by the row's next step. */
+static void rows_of(int rows, const int *begin, const int *at, const double *v, double *to) {
+#pragma omp parallel for
+    for (int y = 0; y < rows; y++) // EXPECT: transformed
+        for (int c = begin[y]; c < begin[y + 1]; c++) {
+#pragma omp atomic
+            to[at[c]] += v[c] * 0.5;
+        }
+}
+
+enum { READ = 12000, TAIL = 9, LENGTH = 20 };
+static int last_row_is_read(void) {
+    static double all[READ + M], expected[READ + M];
+    static int at[READ + TAIL], begin[READ / LENGTH + 1];
+    for (int y = 0; y < READ / LENGTH; y++)
+        begin[y] = y * LENGTH;
+    begin[READ / LENGTH] = READ + TAIL;
+    case_values(all, READ + M);
+    for (int c = 0; c < READ + TAIL; c++)
+        at[c] = c < READ ? 50 + c % 200 : c - READ + 1;
+    for (int i = 0; i < READ + M; i++)
+        expected[i] = all[i];
+    for (int c = READ - LENGTH; c < READ + TAIL; c++)
+        expected[READ + at[c]] += expected[c] * 0.5;
+    rows_of(READ / LENGTH, begin, at, all, all + READ);
+    for (int i = READ; i <= READ + TAIL; i++)
+        if (all[i] != expected[i])
+            return 0;
+    return 1;
+}
+
 int main(void) {
     static double between[3 * M], counted[M];
     static int begin[601];
@@ -268,6 +300,9 @@ int main(void) {
     for (int i = 0; i < M; i++)
         if (counted[i] != 5)
             return 1;
+    for (int round = 0; round < 3; round++)
+        if (!last_row_is_read())
+            return 2;
     CASE_PRINT(h);
     CASE_PRINT(between);
     CASE_PRINT(grown);

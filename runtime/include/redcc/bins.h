@@ -150,20 +150,22 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
-    } else if (REDCC_IS_MADE(redcc_i, redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 /** As REDCC_UPDATE_BY, for an update without operands: only its row is recorded. */
 #define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
-    else if (REDCC_IS_MADE(redcc_i, redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 /** As REDCC_UPDATE_BY, for an update whose operands are in the record of an earlier
  * REDCC_UPDATE_BY: nothing is pushed. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
-    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_at))
-#define REDCC_IS_MADE(redcc_i, redcc_at)                                                           \
+    if (redcc__checked != REDCC_IN_BINS &&                                                         \
+        REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
+/* Mentions the row's number, because redcc checks the meaning of each name that it writes. */
+#define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
     (redcc__checked == REDCC_IN_COPIES                                                             \
-         ? redcc_is_copied(redcc__bins_##redcc_i, redcc_at)                                        \
+         ? redcc_is_copied(redcc__bins_##redcc_i, ((void)sizeof(redcc_number), redcc_at))          \
          : !redcc__checked || redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of an element that is reached through a pointer, counted from address 0.
@@ -182,14 +184,14 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, &redcc__e);  \
-    } else if (REDCC_IS_MADE(redcc_i, redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
 #define REDCC_UPDATE_BEHIND_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at)            \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, 0);          \
-    else if (REDCC_IS_MADE(redcc_i, redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
-    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_at))
+    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
 /* Pushes a record of consecutive elements. The record has the first element's address, the number
  * of elements, and the values that the expression `redcc_set` assigns. `redcc_first_row` is the
@@ -248,15 +250,18 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, &redcc__e);  \
-    } else if (REDCC_IS_MADE(redcc_i, redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),      \
+                             redcc_at))
 #define REDCC_UPDATE_ROW_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,       \
                                redcc_part)                                                         \
     if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);          \
-    else if (REDCC_IS_MADE(redcc_i, redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),        \
+                           redcc_at))
 #define REDCC_UPDATE_ROW_WITH(redcc_i, redcc_base, redcc_at, redcc_row, redcc_part)                \
-    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_at))
+    if (redcc__checked != REDCC_IN_BINS &&                                                         \
+        REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
 /** Precedes an inner loop with a constant number of iterations that update parts of one row. Pushes
  * one record, with all values that these iterations add (_BY), or with the row alone (_ALIKE). The
