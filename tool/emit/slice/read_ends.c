@@ -2,7 +2,6 @@
 #include "emit/slice/read_ends.h"
 
 #include "analysis/base/stepped.h"
-#include "emit/bins/bins.h"
 #include "emit/text/origin.h"
 #include "plan/bins.h"
 #include "plan/lookup.h"
