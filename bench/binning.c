@@ -57,7 +57,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
 #define COPIED(N, row, contribution)                                                               \
     do {                                                                                           \
         const N##_record e = contribution;                                                         \
-        if (redcc_is_copied(&to_0, row))                                                           \
+        if (redcc_is_copied(&chunk.bins, &copy[row]))                                              \
             N##_update(&copy[row], &e);                                                            \
     } while (0)
 #define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
@@ -80,6 +80,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
     static redcc_binned N##_loop = {{"binning.c", __LINE__, #N, REDCC_ORDER_SERIAL, REDCC_BINNED,  \
                                      1, N##_arrays, 1, N##_sources, 0, 0},                         \
                                     1,                                                             \
+                                    0,                                                             \
                                     N##_streams};                                                  \
     static __attribute__((noinline)) void N##_sequential(const struct data *its, void *array) {    \
         const struct data mine = *its, *const d = &mine;                                           \
@@ -127,8 +128,10 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto in eac
                     redcc_int t = worker.first;                                                    \
                     if (EXACT && REDCC_ARE_COPIED(&to_0)) {                                        \
                         ROW *const copy = redcc_copy_base(&to_0, &N##_streams[0], 0);              \
+                        redcc_chunk_bins chunk = redcc_chunk_bins_of(&to_0, 0, sizeof(ROW));       \
                         for (; t < last; t++)                                                      \
                             BODY(COPIED)                                                           \
+                        redcc_report_lacking(&chunk, sizeof(ROW));                                 \
                     } else                                                                         \
                         for (; t < last; t++)                                                      \
                             BODY(PUSHED)                                                           \
@@ -282,7 +285,7 @@ static void execute(const struct kernel *kernel, struct variant *variant, const 
     if (variant->method == &redcc_method_binning) {
         if (state->binning.bytes > variant->extra)
             variant->extra = state->binning.bytes;
-        variant->name = state->binning.copies ? "binning:copies" : "binning:records";
+        variant->name = state->binning.copies.count ? "binning:copies" : "binning:records";
     }
     variant->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
     variant->cpu[round] = (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) /

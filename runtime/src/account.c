@@ -281,6 +281,18 @@ static void account_execution(struct execution *execution, double now) {
     }
 }
 
+static void inform_auto_of_bins(struct execution *execution, double now) {
+    struct loop_state *state = execution->state;
+    const struct request *request = &execution->call.request;
+    const struct outcome outcome = {
+        .result = execution->reason == REASON_SERIAL_FASTER ? RESULT_LEFT : RESULT_PARALLEL,
+        .way = WAY_BINS,
+        .trip = request->trip,
+        .seconds = now - execution->call.entered,
+        .usual = redcc_bins_usual(&state->binning)};
+    redcc_inform_auto(state, request->loop, &outcome, REASON_NONE);
+}
+
 /* Counts an execution in bins. It counts even if the rest of the loop was executed sequentially
  * after some rounds. */
 static void account_binned(struct execution *execution, double now) {
@@ -293,8 +305,9 @@ static void account_binned(struct execution *execution, double now) {
         count_overlap(execution);
     else if (execution->reason != REASON_NONE)
         redcc_count_fallback(state, execution->reason);
-    statistics->method = &redcc_method_binning;
-    statistics->parameter = call->parameter;
+    const bool in_shares = redcc_in_shares(call);
+    statistics->method = in_shares ? &redcc_method_sections : &redcc_method_binning;
+    statistics->parameter = in_shares ? binning->copies.count : call->parameter;
     statistics->threads = call->threads;
     statistics->inspect_seconds += execution->run.ready - call->entered;
     statistics->execute_seconds += now - execution->run.ready;
@@ -310,18 +323,13 @@ static void account_binned(struct execution *execution, double now) {
     count_nodes(execution, statistics);
     redcc_trace(TRACE_EXECUTION, call->request.loop,
                 "%lld iterations by %d threads, %ld rounds of %s, %zu bytes; %.3g s", trip,
-                call->threads, binning->rounds, binning->copies ? "private copies" : "records",
-                binning->bytes, now - execution->run.ready);
-    if (call->method)
-        return;
-    const enum result result =
-        execution->reason == REASON_SERIAL_FASTER ? RESULT_LEFT : RESULT_PARALLEL;
-    const struct outcome outcome = {.result = result,
-                                    .way = WAY_BINS,
-                                    .trip = trip,
-                                    .seconds = now - call->entered,
-                                    .usual = redcc_bins_usual(binning)};
-    redcc_inform_auto(state, call->request.loop, &outcome, REASON_NONE);
+                call->threads, binning->rounds,
+                binning->copies.count ? "private copies" : "records", binning->bytes,
+                now - execution->run.ready);
+    if (in_shares)
+        redcc_sections_timed(&state->sections, trip, call->threads, now - call->entered);
+    if (!call->method)
+        inform_auto_of_bins(execution, now);
 }
 
 bool redcc_account(struct execution *execution) {

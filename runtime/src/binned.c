@@ -28,7 +28,8 @@ static void end(struct thread_state *thread, redcc_worker *worker) {
 void redcc_hold_written(void *execution, uint32_t array, struct range written) {
     struct execution *it = execution;
     redcc_validation_grow(&it->run.validation, it->call.request.loop, it->call.request.bases,
-                          (struct written){array, written}, it->run.validated);
+                          (struct written){array, written, !redcc_in_shares(&it->call)},
+                          it->run.validated);
 }
 
 /* The first thread executes the iterations of a stretch between two rounds. The other threads wait

@@ -11,7 +11,9 @@
 #include "base/signals.h"
 #include "base/team.h"
 #include "base/trace.h"
+#include "bins/shares.h"
 #include "library.h"
+#include "plan/share_count.h"
 #include "settings.h"
 #include "unmade.h"
 
@@ -56,10 +58,15 @@ static bool one_will_do(const redcc_loop *loop, const struct settings *settings)
     return in_bins || redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0;
 }
 
+/* Was the method chosen by settings_of_call, because the program leaves the order open? */
+static bool is_chosen_for_order(const struct settings *settings) {
+    return settings->method == &redcc_method_sections || settings->method == &redcc_method_shares;
+}
+
 /* A reason against running in parallel that does not depend on the loop's data, or REASON_NONE. */
 static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
                                  int threads, int nested, bool forked) {
-    if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
+    if (settings->method && loop->flags & REDCC_ORDER_NEEDED && !is_chosen_for_order(settings) &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
     if (loop->flags & REDCC_MAY_ABORT && !redcc_assertions_abort())
@@ -152,23 +159,48 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-/* The settings with which a loop is executed by shares of its sections (choose/sections.h): as if
- * the method `sections` were named. */
-static struct settings settings_of_sections(const struct settings *settings, int shares) {
-    struct settings own = *settings;
-    own.method = &redcc_method_sections;
-    own.parameter = shares;
-    return own;
+/* May the loop be executed in an order that is fixed, but is not its own? */
+static bool may_be_fixed(const redcc_loop *loop, const struct settings *settings) {
+    return redcc_order_of(loop, settings) != REDCC_ORDER_SERIAL && !settings->method &&
+           !settings->compensated;
 }
 
-/* The number of shares into which the iterations are divided if OpenMP's clause names sections.
- * Below 2: the loop is not executed by shares, and keeps its order. */
-static int section_shares(const redcc_loop *loop, const struct settings *settings, redcc_int trip,
-                          void *const *bases, const redcc_extent *sections) {
-    if (!sections || redcc_order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
-        settings->compensated || loop->flags & REDCC_ORDER_NEEDED)
-        return 0;
-    return redcc_sections_shares(loop, trip, bases, sections, settings->memory_limit);
+/* Is the loop executed in shares with private copies? What earlier executions have found may be
+ * read before the state is acquired: no other thread executes such a loop (redcc_is_alone). */
+static bool goes_in_shares(redcc_loop *loop, const struct settings *settings, redcc_int trip) {
+    const redcc_binned *binned = redcc_binned_of(loop);
+    if (!binned || !binned->is_unordered)
+        return false;
+    const struct loop_state *state = redcc_made_state_of(loop);
+    return (state ? redcc_bins_shares(&state->binning, trip, settings->memory_limit)
+                  : redcc_share_count(loop, trip, redcc_updates(loop, trip), 1,
+                                      settings->memory_limit)) > 1;
+}
+
+/* The settings of a call. If the order is fixed, but not that of the loop, they are *own, as if a
+ * method for that were named. Sets *sections to NULL unless the method is `sections`. */
+static const struct settings *settings_of_call(redcc_loop *loop, const struct settings *settings,
+                                               redcc_int trip, void *const *bases,
+                                               const redcc_extent **sections,
+                                               struct settings *own) {
+    const bool fixed = may_be_fixed(loop, settings);
+    const int shares = fixed && *sections ? redcc_sections_shares(loop, trip, bases, *sections,
+                                                                  settings->memory_limit)
+                                          : 0;
+    *own = (struct settings){0};
+    if (shares > 1) {
+        *own = *settings;
+        own->method = &redcc_method_sections;
+        own->parameter = shares;
+        return own;
+    }
+    *sections = NULL;
+    if (!fixed || !goes_in_shares(loop, settings, trip))
+        return settings;
+    *own = *settings;
+    own->method = &redcc_method_shares;
+    own->parameter = BINS_SHARES;
+    return own;
 }
 
 static void take_settings(struct call *call, const struct settings *settings, int error_before) {
@@ -198,7 +230,7 @@ static struct advice advice_for(struct execution *execution, int threads) {
     execution->reuse.changed_source = -1;
     if (execution->call.method)
         return (struct advice){.action = ACTION_REUSE,
-                               .alone = execution->call.request.sections && threads == 1};
+                               .alone = redcc_is_fixed(&execution->call) && threads == 1};
     const struct advice advice = redcc_advise_entry(&state->chooser, &execution->reuse, threads);
     redcc_note_rule(&state->reported.statistics, advice.rule);
     return advice;
@@ -226,15 +258,16 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->planned = threads;
     call->started = alone ? 0 : redcc_team_missing(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
-    /* sections give the same bits with any number of threads, so one thread suffices */
-    if (call->request.sections && threads < 1)
+    const bool fixed = redcc_is_fixed(call);
+    if (fixed && threads < 1)
         threads = 1;
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (!alone && threads < (call->one_will_do || call->in_bins ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
-    if (!redcc_threads_ensure(state, loop, threads))
-        return false;
+    const bool by_shares = redcc_in_shares(call) && threads < REDCC_MOST_SHARES;
+    if (!redcc_threads_ensure(state, loop, by_shares ? REDCC_MOST_SHARES : threads))
+        return false; /* shares.c uses the buffers of as many binners as there are shares */
     call->asked = call->threads = threads;
     if (!alone)
         call->planned = threads;
@@ -457,10 +490,8 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
-    const int shares = section_shares(loop, settings, trip, bases, sections);
-    const struct settings own =
-        shares > 1 ? settings_of_sections(settings, shares) : (struct settings){0};
-    settings = shares > 1 ? &own : settings;
+    struct settings own;
+    settings = settings_of_call(loop, settings, trip, bases, &sections, &own);
     const bool may_gain = !nested && (threads > 1 || one_will_do(loop, settings));
     if (trip > 0 && needs_no_state(settings, loop, trip, known, may_gain))
         return 0;
@@ -484,7 +515,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     if (asks_auto && is_backed_off(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
     take_settings(&execution->call, settings, error_before);
-    execution->call.request.sections = shares > 1 ? sections : NULL;
+    execution->call.request.sections = sections;
     if (redcc_float_traps(execution->call.float_control)) {
         redcc_loop_release(held);
         return serially(state, REASON_TRAPS);
@@ -495,8 +526,9 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         return serially(state, reason);
     if (must_avoid_regions(held, always))
         return serially(state, REASON_ALLOCATOR);
-    threads = shares > 1 ? redcc_sections_threads(&held->sections, trip, threads)
-                         : threads_to_ask_for(held, settings, trip, threads);
+    threads = redcc_is_fixed(&execution->call)
+                  ? redcc_sections_threads(&held->sections, trip, threads)
+                  : threads_to_ask_for(held, settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
         const bool timed = asks_auto && execution->advice.timed;
@@ -542,7 +574,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
         redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
         /* with one thread, only a dry run takes so long that a user may be waiting for its end */
-        if (!execution->advice.alone || execution->call.request.sections || is_dry)
+        if (!execution->advice.alone || redcc_is_fixed(&execution->call) || is_dry)
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
     }
@@ -582,6 +614,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
 int redcc_end(redcc_call *call) {
     struct execution *execution = call->execution;
     const bool done = redcc_account(execution), asks_auto = !execution->call.method;
+    /* when a loop is repeated for validation, its operands are stored in the order of the loop */
+    const bool fixed = redcc_is_fixed(&execution->call) && execution->run.executed == 0;
     const redcc_int trip = execution->call.request.asked;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
@@ -600,5 +634,5 @@ int redcc_end(redcc_call *call) {
         time_original(call->loop, trip, execution->call.request.known);
     end(execution->state);
     errno = error ? error : error_before;
-    return done;
+    return done ? 1 + fixed : 0;
 }

@@ -24,7 +24,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_free(execution->inspection.sources);
     redcc_fences_free(&execution->run.fences);
     redcc_survey_free(&execution->run.survey);
-    redcc_memory_free(state->binning.stream);
+    redcc_memory_free(state->binning.known);
     redcc_memory_free(state->reported.file);
     redcc_memory_free(state->reported.function);
     redcc_memory_free(state);

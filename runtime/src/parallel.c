@@ -69,7 +69,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         return 0;
     redcc_loop *loop = &site->binned.loop;
     if (loop->flags & REDCC_SHORT && !(loop->flags & REDCC_SECTIONED) &&
-        !redcc_is_worth_entering(attempt->trip))
+        !site->binned.is_unordered && !redcc_is_worth_entering(attempt->trip))
         return 0;
     const redcc_linkage *const linkage = attempt->linkage;
     if (linkage && !redcc_are_linked(linkage->called, linkage->count, linkage->expected,
@@ -91,7 +91,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (redcc_enter_sectioned(&shared.call, loop, rest->trip, rest->bases, rest->known, rest->key,
                               sections, threads_of(loop, rest), redcc_region_is_nested()))
         redcc_region_run(shared.call.threads, work, &shared);
-    if (!redcc_leave(&shared.call)) {
+    const int done = redcc_leave(&shared.call);
+    if (!done) {
         if (!beginning.done) {
             redcc_operands_free_all(attempt);
             return 0;
@@ -101,5 +102,5 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (loop->flags & REDCC_CONTINUES && attempt->made)
         *attempt->made = shared.call.trip;
     redcc_sequential_done(loop);
-    return 1;
+    return done ? done : 1;
 }

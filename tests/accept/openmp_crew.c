@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Compiled with OpenMP: the team of an enclosing region executes `for` loops that update arrays, in sequential order.
+// Compiled with OpenMP: the team of an enclosing region executes `for` loops that update arrays, in a fixed
+// order.
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
+// FIXED: 36 55 69 108 122
 // SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #include "case.h"
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Threads that leave when a smaller team follows a larger one take long to end. They execute no iterations, so the
-// loop still keeps the sequential order.
+// loop still gets the same bits.
 // covers: row 55 of docs/constructs.md
 // CFLAGS: -fopenmp -pthread
 // FLAGS: -fopenmp
+// FIXED: 31
 // SEQUENTIAL: with OpenMP, the program's own directives may sum in any order
 #define _GNU_SOURCE
 #include "case.h"

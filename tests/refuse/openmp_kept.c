@@ -94,6 +94,18 @@ void locks(int n) {
     }
 }
 
+/* What `critical` protects may be read by its name: the loop must keep its order, and cannot. */
+void limited(int n) {
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+#pragma omp critical
+        {
+            if (h[s[n - 1 - t]] < 5)
+                h[s[t]] += 1;
+        }
+    }
+}
+
 void team(int n) {
 #pragma omp parallel for
     for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp

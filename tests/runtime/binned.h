@@ -66,6 +66,7 @@ struct binned_loop {
                                               REDCC_BINNED | REDCC_ORDER_NEEDED, 1, NAME##_arrays, \
                                               2, NAME##_sources, 0, 0},                            \
                                              1,                                                    \
+                                             0,                                                    \
                                              NAME##_streams};                                      \
     static void NAME##_oracle(const struct binned_problem *p) {                                    \
         const RECORD *const value = p->value;                                                      \

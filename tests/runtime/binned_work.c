@@ -78,6 +78,7 @@ static const redcc_stream streams[] = {{apply_means, 2, {0, 1}, {8, 8}, 8, 0, 0}
 redcc_binned work_loop = {{"binned_work.c", 20, "work", REDCC_ORDER_SERIAL,
                            REDCC_BINNED | REDCC_ORDER_NEEDED, 3, arrays, 2, sources, 0, 0},
                           2,
+                          0,
                           streams};
 
 static int push(const struct work *w, redcc_worker *worker) {

@@ -40,7 +40,7 @@ static void spring(const double (*x)[3], int i, int j, double *f) {
 REDCC_QUIET_BEGIN
 static const redcc_array redcc__arrays_springs[] = {{"s->b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double[3]), 0}};
 static const redcc_source redcc__sources_springs[] = {{"edge", 1}, {"x", 0}};
-static redcc_site redcc__site_springs = {{{"springs.c", 4, "springs", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE | REDCC_SELECTS, 1, redcc__arrays_springs, 2, redcc__sources_springs, 3, 0}, 0, 0}, 0};
+static redcc_site redcc__site_springs = {{{"springs.c", 4, "springs", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE | REDCC_SELECTS, 1, redcc__arrays_springs, 2, redcc__sources_springs, 3, 0}, 0, 0, 0}, 0};
 struct redcc__context_springs {
     REDCC_PROGRESSIONS_OF(2);
     __typeof__(const int (*)[2]) edge;

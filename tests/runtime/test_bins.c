@@ -321,16 +321,16 @@ static void small_integers_are_copied(void **unused) {
     struct data data = new_data(&uint32_sum, 4096, 100000, UNIFORM, 8);
     compare(&data, 2);
     const bool copies = redcc_settings()->parameter != BINS_RECORDS;
-    assert_int_equal(state_of(&uint32_sum)->binning.copies, copies);
+    assert_int_equal(state_of(&uint32_sum)->binning.copies.count > 0, copies);
     redcc_bins_tuning.copies_bytes = 4096;
     compare(&data, 2);
-    assert_int_equal(state_of(&uint32_sum)->binning.copies,
+    assert_int_equal(state_of(&uint32_sum)->binning.copies.count > 0,
                      redcc_settings()->parameter == BINS_COPIES);
     redcc_bins_tuning = *usual;
     free_data(&data);
     data = new_data(&float_sum, 4096, 100000, UNIFORM, 8);
     compare(&data, 2);
-    assert_false(state_of(&float_sum)->binning.copies);
+    assert_false(state_of(&float_sum)->binning.copies.count);
     free_data(&data);
 }
 
@@ -386,7 +386,7 @@ static void floats_are_never_copied(void **unused) {
     (void)unused;
     struct data data = new_data(&float_said_exact, 500, 20000, UNIFORM, 8);
     compare(&data, 3);
-    assert_false(state_of(&float_said_exact)->binning.copies);
+    assert_false(state_of(&float_said_exact)->binning.copies.count);
     free_data(&data);
 }
 

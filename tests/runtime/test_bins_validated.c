@@ -128,7 +128,7 @@ static void what_is_right_is_found_right(void **unused) {
         assert_int_equal(state->reported.statistics.validated.executions, 3);
         assert_int_equal(state->reported.statistics.validated.broken, 0);
         assert_int_equal(state->reported.statistics.validated.passed_over, 0);
-        assert_int_equal(state->binning.copies, i);
+        assert_int_equal(state->binning.copies.count > 0, i);
         redcc_loop_forget(&loops[i]->descriptor->loop);
         redcc_bins_tuning = usual;
     }

@@ -34,11 +34,11 @@ static void shares_follow_from_sizes(void **unused) {
     assert_int_equal(shares(8192, 1, 0), 16);
     assert_int_equal(shares(1000000, 1000001, 0), 1);
     assert_int_equal(shares(1000000, 1000000, 0), 2);
-    assert_int_equal(shares(3 * 12 * 1000 - 1, 1000, 0), 2);
-    assert_int_equal(shares(3 * 12 * 1000, 1000, 0), 4);
-    assert_int_equal(shares(7 * 12 * 1000, 1000, 0), 8);
-    assert_int_equal(shares(15 * 12 * 1000 - 1, 1000, 0), 8);
-    assert_int_equal(shares(15 * 12 * 1000, 1000, 0), 16);
+    assert_int_equal(shares(3 * 24 * 1000 - 1, 1000, 0), 2);
+    assert_int_equal(shares(3 * 24 * 1000, 1000, 0), 4);
+    assert_int_equal(shares(7 * 24 * 1000, 1000, 0), 8);
+    assert_int_equal(shares(15 * 24 * 1000 - 1, 1000, 0), 8);
+    assert_int_equal(shares(15 * 24 * 1000, 1000, 0), 16);
     assert_int_equal(shares(1000000000, MEGABYTES / 8, 0), 1); /* too large for a copy */
     assert_int_equal(shares(1000000000, MEGABYTES / 16, 0), 2);
     assert_int_equal(shares(1000000, 1000, 4 * 7 * 8000), 8); /* limited by memory */
@@ -57,12 +57,12 @@ static void shares_follow_from_sizes(void **unused) {
 static void sections_must_be_apart(void **unused) {
     (void)unused;
     loop.array_count = 2;
-    assert_int_equal(shares(3 * 12 * 2000, 1000, 0), 4); /* both sections count */
-    assert_int_equal(shares(3 * 12 * 2000 - 1, 1000, 0), 2);
+    assert_int_equal(shares(3 * 24 * 2000, 1000, 0), 4); /* both sections count */
+    assert_int_equal(shares(3 * 24 * 2000 - 1, 1000, 0), 2);
     assert_int_equal(shares(1000000, 2001, 0), 0); /* the sections overlap */
     assert_int_equal(shares(1000000, 0, 0), 0);    /* an empty section */
     redcc_extent same[] = {section(0, 1000), section(0, 1000)};
-    assert_int_equal(redcc_sections_shares(&loop, 3 * 12 * 1000, bases, same, 0), 4);
+    assert_int_equal(redcc_sections_shares(&loop, 3 * 24 * 1000, bases, same, 0), 4);
     same[0].first++, same[1].first++; /* the sections do not begin at an element */
     assert_int_equal(redcc_sections_shares(&loop, 1000000, bases, same, 0), 0);
     loop.array_count = 1;

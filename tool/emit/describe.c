@@ -12,7 +12,9 @@
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
+#include "plan/sections.h"
 #include "plan/tiles.h"
+#include "plan/work.h"
 
 /** The operator's name in the runtime. If the order of an array's updates is preserved, the runtime
  * makes no private copies and ignores the operator. */
@@ -181,11 +183,10 @@ static bool skips_inner_iterations(const loop_plan *plan) {
 }
 
 /** May the runtime execute the first iterations in order and time them? False for a loop with
- * tiles, because the runtime tries tiles without a sample. False with sections, because these give
- * the results of another order. */
+ * tiles, because the runtime tries tiles without a sample. False with sections, or copies in a
+ * fixed order, because these give the results of another order. */
 static bool may_time_first_iterations(loop_text *loop) {
-    return loop->plan->execution.may_begin && !loop->outline.tile_call &&
-           !loop->plan->execution.sections;
+    return loop->plan->execution.may_begin && !loop->outline.tile_call && !is_reordered(loop->plan);
 }
 
 static const char *flags_text(loop_text *loop) {
@@ -217,6 +218,9 @@ static const char *flags_text(loop_text *loop) {
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},
+                 {is_reordered(loop->plan) && !loop->facts->has_short_iterations &&
+                      loop->plan->execution.work >= WORK_LONG,
+                  "REDCC_LONG"},
                  {loop->facts->variables.openmp != NULL, "REDCC_TEAM"},
                  {loop->plan->execution.sections != NULL, "REDCC_SECTIONED"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
@@ -244,7 +248,8 @@ static void write_loop_object(loop_text *loop, writer *out) {
     writer_line(out, "  %u, %s,", loop->plan->source_count,
                 loop->plan->source_count > 0 ? outlined_name(loop, "sources") : "0");
     writer_line(out, "  %u, 0},", loop->plan->execution.key_count);
-    writer_line(out, " %u, %s},", loop->bins ? bins_stream_count(loop) : 0,
+    writer_line(out, " %u, %d, %s},", loop->bins ? bins_stream_count(loop) : 0,
+                loop->bins && loop->plan->execution.is_unordered,
                 loop->bins ? outlined_name(loop, "streams") : "0");
     writer_line(out, "0");
     out->depth--;

@@ -327,6 +327,22 @@ static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "}");
 }
 
+/** Writes the function for updates on private copies, if there is one. */
+static void write_copier(loop_text *loop, writer *out) {
+    if (!bins_have_copier(loop))
+        return;
+    writer_line(out, "%sREDCC_COPIER %s(REDCC_COPIER_PARAMETERS) {",
+                loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "copies"));
+    out->depth++;
+    take_context(loop, out);
+    writer_line(out, "REDCC_COPY_CHUNK(%s,", bins_copied(loop));
+    writer_line(out, "    %s,",
+                loop->outline.reads_call ? loop->outline.reads_call : loop->outline.slice_call);
+    writer_line(out, "    %s)", loop->outline.body_call);
+    out->depth--;
+    writer_line(out, "}");
+}
+
 /** Writes all text before the function. Slice and body are written to a buffer first, because they
  * determine which declarations must precede them. */
 static void write_parts(loop_text *loop, writer *out) {
@@ -348,6 +364,7 @@ static void write_parts(loop_text *loop, writer *out) {
     if (!is_context_first)
         write_context(loop, out);
     buffer_text(&out->out, writer_text(loop->arena, &parts));
+    write_copier(loop, out);
     write_member(loop, out);
 }
 

@@ -8,6 +8,7 @@
 #include "emit/crew.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
+#include "plan/sections.h"
 
 static const ir_variable *variable_of(const loop_text *loop, const char *name) {
     return openmp_variable(loop->unit, loop->facts->loop, loop->facts->function, name);
@@ -51,7 +52,7 @@ void declare_replaces(loop_text *loop, writer *out) {
 const char *replaced_condition(loop_text *loop) {
     if (!loop->facts->variables.openmp)
         return "";
-    const char *condition = loop->plan->execution.sections ? NULL : expression_of(loop, OPENMP_IF);
+    const char *condition = is_reordered(loop->plan) ? NULL : expression_of(loop, OPENMP_IF);
     return condition ? arena_format(loop->arena, "redcc__replaces && (%s) && ", condition)
                      : "redcc__replaces && ";
 }
@@ -59,9 +60,9 @@ const char *replaced_condition(loop_text *loop) {
 void write_team(loop_text *loop, writer *out) {
     const char *threads =
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
-    /* With sections, the order of the loop's results must not depend on an `if` clause. If the
-     * clause's condition is false, one thread executes the loop in the same order. */
-    const char *condition = loop->plan->execution.sections ? expression_of(loop, OPENMP_IF) : NULL;
+    /* The order of the loop's results must not depend on an `if` clause. If the clause's condition
+     * is false, one thread executes the loop in the same order. */
+    const char *condition = is_reordered(loop->plan) ? expression_of(loop, OPENMP_IF) : NULL;
     if (condition)
         threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");
     if (threads)

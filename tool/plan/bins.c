@@ -226,9 +226,10 @@ static bool split_updates(const loop_facts *facts, bins_plan *bins, bins_record 
 }
 
 static void find_guarded_sources(const loop_plan *plan, bins_plan *bins) {
+    const bool *is_guarded = guarded_sources(plan);
     for (unsigned i = 0; i < plan->facts->source_count; i++) {
         const loop_source *read = &plan->facts->sources[i];
-        if (!read->needs_guard || read->extent != EXTENT_TOUCHED)
+        if (!is_guarded[i] || read->extent != EXTENT_TOUCHED)
             continue;
         assert(plan->source_number[i] >= 0 && plan->source_number[i] < MOST_SOURCES);
         bins->guarded_sources |= (uint32_t)1 << plan->source_number[i];

@@ -73,6 +73,16 @@ static bool needs_every_iteration(const loop_facts *facts) {
     return has_other_results(facts) || facts->variables.own_count > 0 || facts->sets_errno;
 }
 
+bool may_be_reordered(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (facts->scalars[i].is_series)
+            return false;
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (facts->arrays[i].order_is_kept)
+            return false;
+    return !has_conditional_live_outs(facts) && !facts->slice.exits;
+}
+
 static bool needs_order(const loop_facts *facts) {
     if (has_other_results(facts))
         return true;

@@ -16,6 +16,10 @@ key_form form_of_key(const ir_type *type);
  *  sanitizer would report overflows of partial sums. */
 bool may_be_copied(const loop_plan *plan, const reduction_array *array);
 
+/** May the updates be made in another order, if OpenMP's directives leave it open? Then each
+ *  iteration must still be executed once, and the operands of scalars are stored. */
+bool may_be_reordered(const loop_facts *facts);
+
 /** Sets plan->execution. Requires has_ready_base. */
 void plan_execution(loop_plan *plan);
 

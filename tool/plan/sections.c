@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "analysis/base/openmp_loop.h"
+#include "plan/bins.h"
+#include "plan/execution.h"
 #include "support/buffer.h"
 
 static const openmp_item *clause_of(const loop_plan *plan, const ir_variable *variable) {
@@ -125,17 +127,39 @@ static bool find_section(const loop_plan *plan, const reduction_array *array, ar
     return it->lower && it->length;
 }
 
+static bool asks_sequential(const loop_plan *plan) {
+    return plan->options->order_is_explicit && plan->options->order == ORDER_SERIAL;
+}
+
 const array_section *plan_sections(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const openmp_loop *openmp = facts->variables.openmp;
-    const bool asks_sequential =
-        plan->options->order_is_explicit && plan->options->order == ORDER_SERIAL;
-    if (!openmp || openmp->has_locks || asks_sequential || !facts->inspector.exists ||
-        plan->execution.needs_order || facts->array_count == 0)
+    if (!openmp || openmp->has_locks || asks_sequential(plan) || !facts->inspector.exists ||
+        !may_be_reordered(facts) || facts->array_count == 0)
         return NULL;
     array_section *sections = ARENA_ARRAY(plan->arena, array_section, facts->array_count);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!find_section(plan, &facts->arrays[i], &sections[i]))
             return NULL;
     return sections;
+}
+
+bool plan_is_unordered(const loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    const openmp_loop *openmp = facts->variables.openmp;
+    const bins_plan *bins = plan->bins;
+    if (!openmp || !openmp->has_locks || asks_sequential(plan) || !may_be_reordered(facts) ||
+        !bins || bins->is_checked)
+        return false;
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (!may_be_copied(plan, &facts->arrays[i]) || facts->arrays[i].is_scattered)
+            return false;
+    for (unsigned i = 0; i < bins->stream_count; i++)
+        if (span_of_stream(bins, i))
+            return false;
+    return facts->array_count > 0;
+}
+
+bool is_reordered(const loop_plan *plan) {
+    return plan->execution.sections || plan->execution.is_unordered;
 }

@@ -6,6 +6,7 @@
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 #include "plan/branch.h"
+#include "plan/independent.h"
 #include "plan/lookup.h"
 
 /* ---- unverified values ----------------------------------------------------------------------- */
@@ -262,8 +263,10 @@ static void propagate_to_fixed_point(unverified_reads *s, const ir_node *body) {
 bool *guarded_sources(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     bool *is_guarded = ARENA_ARRAY(plan->arena, bool, facts->source_count + 1);
+    const bool are_independent = reads_are_independent(plan);
     for (unsigned i = 0; i < facts->source_count; i++)
-        is_guarded[i] = facts->sources[i].needs_guard;
+        is_guarded[i] = facts->sources[i].needs_guard &&
+                        !(are_independent && facts->sources[i].extent == EXTENT_TOUCHED);
     return is_guarded;
 }
 

@@ -13,6 +13,9 @@
  *  below this number, did not. */
 enum { WORK_HEAVY = 150 };
 
+/** With this many operations, an iteration makes many updates, or takes as long (REDCC_LONG). */
+enum { WORK_LONG = 512 };
+
 /** Operations of an iteration; counting stops at 10000. */
 int64_t work_of_iteration(const loop_plan *plan);
 

@@ -69,13 +69,43 @@ enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** Does the thread have a private copy of this row? If not, returns 0 and records the row, so that
- * the copy made for the next attempt contains it. */
-REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
-    if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
+/** A thread's bins of one stream, and its private copy of one array of the stream. Rows that the
+ * copy lacks are reported after the chunk: a call in the loop would occupy registers. */
+typedef struct redcc_chunk_bins {
+    redcc_bins bins;
+    redcc_size copy, bytes;    /* the private copy */
+    redcc_int lowest, highest; /* offsets from `copy` of what it lacks; lowest > highest: nothing */
+} redcc_chunk_bins;
+
+/** Is this address in the private copy? If not, returns 0 and records the address, so that the copy
+ * made for the next attempt contains it. Addresses need no division, unlike row numbers. `bins` is
+ * the member of a redcc_chunk_bins. */
+REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, const void *at) {
+    redcc_chunk_bins *const it = (redcc_chunk_bins *)(redcc_size)bins;
+    const redcc_size offset = (redcc_size)at - it->copy;
+    if (__builtin_expect(offset < it->bytes, 1))
         return 1;
-    bins->calls->push_outside(bins->buffer, row);
+    it->lowest = (redcc_int)offset < it->lowest ? (redcc_int)offset : it->lowest;
+    it->highest = (redcc_int)offset > it->highest ? (redcc_int)offset : it->highest;
     return 0;
+}
+REDCC_INLINE redcc_chunk_bins redcc_chunk_bins_of(const redcc_bins *bins, redcc_u32 part,
+                                                  redcc_u32 row_bytes) {
+    redcc_chunk_bins it = {*bins, (redcc_size)bins->copy[part], bins->span * row_bytes,
+                           (redcc_int)(~(redcc_word)0 >> 1), -(redcc_int)(~(redcc_word)0 >> 1) - 1};
+    return it;
+}
+REDCC_INLINE void redcc_report_lacking(const redcc_chunk_bins *it, redcc_int row_bytes) {
+    const redcc_bins *const bins = &it->bins;
+    if (it->lowest > it->highest)
+        return;
+    /* rounded down, also below 0 */
+    bins->calls->push_outside(
+        bins->buffer,
+        bins->first + (it->lowest < 0 ? (it->lowest + 1) / row_bytes - 1 : it->lowest / row_bytes));
+    bins->calls->push_outside(bins->buffer,
+                              bins->first + (it->highest < 0 ? (it->highest + 1) / row_bytes - 1
+                                                             : it->highest / row_bytes));
 }
 
 /** A row number that no bin contains. */
@@ -132,9 +162,10 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
+/* Mentions the row's number, because redcc checks the meaning of each name that it writes. */
 #define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
     (redcc__checked == REDCC_IN_COPIES                                                             \
-         ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
+         ? redcc_is_copied(redcc__bins_##redcc_i, ((void)sizeof(redcc_number), redcc_at))          \
          : !redcc__checked || redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of an element that is reached through a pointer, counted from address 0.
@@ -423,8 +454,12 @@ REDCC_RECORDS(float);
  * of its stream, and the array's base. Other chunks use REDCC_NO_BINS_OF. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
-    const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
-    const redcc_bins *const redcc__bins_##redcc_i = &redcc__bin_##redcc_i;                         \
+    const redcc_u32 redcc__row_bytes_##redcc_i =                                                   \
+        redcc__streams[redcc__part_##redcc_i.stream].rows[redcc__part_##redcc_i.part];             \
+    redcc_chunk_bins redcc__bin_##redcc_i =                                                        \
+        redcc_chunk_bins_of(&redcc__all[redcc__part_##redcc_i.stream], redcc__part_##redcc_i.part, \
+                            redcc__row_bytes_##redcc_i);                                           \
+    const redcc_bins *const redcc__bins_##redcc_i = &redcc__bin_##redcc_i.bins;                    \
     const redcc_owner redcc__owner_##redcc_i = {0, 0, 0, 0, 0, 0};                                 \
     void *const redcc__base_##redcc_i __attribute__((__unused__)) =                                \
         redcc__checked == REDCC_IN_COPIES                                                          \
@@ -438,6 +473,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_4_OF(redcc_of) REDCC_BINS_3_OF(redcc_of) redcc_of(3)
 #define REDCC_BINS_5_OF(redcc_of) REDCC_BINS_4_OF(redcc_of) redcc_of(4)
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
+#define REDCC_LACKING_OF(redcc_i)                                                                  \
+    redcc_report_lacking(&redcc__bin_##redcc_i, redcc__row_bytes_##redcc_i);
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
 /** Executes iterations whose updates are pushed, or made on copies. The bits of redcc_first_mask
@@ -456,36 +493,55 @@ REDCC_RECORDS(float);
             redcc_call_of_body;                                                                    \
             redcc__source_mask = redcc_later_mask;                                                 \
         }                                                                                          \
+        redcc_bins_n##_OF(REDCC_LACKING_OF)                                                        \
+    }
+
+/** A function that executes a chunk whose updates are made on private copies. In the function of
+ * each thread, with its many forms of the body, compilers keep values that this loop needs in
+ * memory. */
+#define REDCC_COPIER static __attribute__((__noinline__, __unused__)) void
+#define REDCC_COPIER_PARAMETERS                                                                    \
+    REDCC_MEMBER_PARAMETERS, const redcc_stream *redcc__streams, const redcc_bins *redcc__all
+#define REDCC_COPIED_BY(redcc_copier)                                                              \
+    (redcc_copier(redcc__worker, redcc__attempt, redcc__given, redcc__streams, redcc__all), 2)
+#define REDCC_COPY_CHUNK(redcc_bins_n, redcc_first_mask, redcc_later_mask, redcc_call_of_slice,    \
+                         redcc_call_of_body)                                                       \
+    {                                                                                              \
+        redcc_worker *const redcc__recorder __attribute__((__unused__)) = redcc__worker;           \
+        redcc_int redcc__k;                                                                        \
+        REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_first_mask, redcc_later_mask,        \
+                         redcc_call_of_slice, redcc_call_of_body)                                  \
     }
 
 /** As REDCC_PARALLEL, for a loop that can be binned.
  *    redcc_bins_n       REDCC_BINS_n, for n arrays
  *    redcc_first_mask    sources whose reads are recorded while iterations are pushed
- *    redcc_all_exact    may the updates be made on private copies? */
+ *    redcc_copies        are updates on private copies possible? 0: no. 1: yes, by a part of this
+ *                        function. Or REDCC_COPIED_BY */
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,          \
-                              redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
+                              redcc_copies, redcc_call_of_slice, redcc_call_of_body)               \
     REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,          \
-                     redcc_first_mask, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,  \
+                     redcc_first_mask, redcc_copies, redcc_call_of_slice, redcc_call_of_slice,     \
                      redcc_call_of_body)
 /** As REDCC_PARALLEL_BINNED, but a separate slice (redcc_call_of_reads) records the reads of
  * iterations that are pushed. redcc_later_mask selects only the sources whose rows differ from
  * iteration to iteration: a chunk's first iteration has recorded the others. */
 #define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,    \
-                                    redcc_later_mask, redcc_all_exact, redcc_call_of_reads,        \
+                                    redcc_later_mask, redcc_copies, redcc_call_of_reads,           \
                                     redcc_call_of_slice, redcc_call_of_body)                       \
     REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
-                     redcc_first_mask, redcc_later_mask, redcc_all_exact, redcc_call_of_reads,     \
+                     redcc_first_mask, redcc_later_mask, redcc_copies, redcc_call_of_reads,        \
                      redcc_call_of_slice, redcc_call_of_body)
 /** As REDCC_PARALLEL_BINNED, for a loop with series. If redcc_again is true at the end, all
  * iterations are executed a second time (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,   \
-                                     redcc_all_exact, redcc_again, redcc_call_of_slice,            \
+                                     redcc_copies, redcc_again, redcc_call_of_slice,               \
                                      redcc_call_of_body)                                           \
     REDCC_BINNED_AND(0, redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n,                  \
-                     redcc_first_mask, redcc_first_mask, redcc_all_exact, redcc_call_of_slice,     \
+                     redcc_first_mask, redcc_first_mask, redcc_copies, redcc_call_of_slice,        \
                      redcc_call_of_slice, redcc_call_of_body)
 #define REDCC_BINNED_AND(redcc_operands, redcc_again, redcc_selects, redcc_streams, redcc_chunk,   \
-                         redcc_bins_n, redcc_first_mask, redcc_later_mask, redcc_all_exact,        \
+                         redcc_bins_n, redcc_first_mask, redcc_later_mask, redcc_copies,           \
                          redcc_call_of_reads, redcc_call_of_slice, redcc_call_of_body)             \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
@@ -497,10 +553,11 @@ REDCC_RECORDS(float);
                                          redcc__worker, redcc__all, redcc_operands)) ==            \
                                         REDCC_TO_PUSH,                                             \
                                     0)) {                                                          \
-                if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                           \
+                const int redcc__copies = REDCC_ARE_COPIED(&redcc__all[0]) ? (redcc_copies) : 0;   \
+                if (redcc__copies == 1)                                                            \
                     REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_first_mask,              \
                                      redcc_later_mask, redcc_call_of_reads, redcc_call_of_body)    \
-                else                                                                               \
+                else if (!redcc__copies)                                                           \
                     REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_first_mask,                \
                                      redcc_later_mask, redcc_call_of_reads, redcc_call_of_body)    \
             }                                                                                      \

@@ -8,7 +8,7 @@
 
 /** The version of the interface that this file, structures.h and parallel_steps.h share with the
  *  runtime. */
-enum { REDCC_INTERFACE = 6 };
+enum { REDCC_INTERFACE = 7 };
 
 /** A transformed loop. There is one static object for each; only the runtime writes to it. */
 typedef struct redcc_site {
@@ -47,7 +47,8 @@ typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, co
 #ifdef __cplusplus
 extern "C" {
 #endif
-/** Executes a loop. 1: the loop is done. 0: nothing was written, and the sequential loop must run.
+/** Executes a loop. 1: the loop is done. 2: it is done in a fixed order that is not its own
+ * (REDCC_SECTIONED, redcc_binned.is_unordered). 0: nothing was written, and the sequential loop must run.
  * `version` is the caller's REDCC_INTERFACE. If `attempt` is 0, it executes nothing and only sets
  * site->calls. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,

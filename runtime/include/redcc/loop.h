@@ -197,8 +197,9 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
 #include <redcc/blocks.h>
 #include <redcc/crew.h>
 
-/** Executes the loop in parallel. 1: it is done. 0: nothing was written, and the original loop must
- * run. Marked unlikely, so that the compiler gives the registers to the sequential loop. */
+/** Executes the loop in parallel. Not 0: it is done (redcc_run). 0: nothing was written, and the
+ * original loop must run. Marked unlikely, so that the compiler gives the registers to the
+ * sequential loop. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower, REDCC_KEEP_FRAME,                                   \
      redcc__attempt.trip = redcc__trip, redcc__attempt.first = redcc__lower,                       \
@@ -248,6 +249,47 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
         if (__builtin_memcmp(&(redcc_element), redcc__of_iteration, sizeof(redcc_type)) != 0)      \
             __builtin_memcpy(&(redcc_element), redcc__of_iteration, sizeof(redcc_type));           \
     } while (0)
+/** In a loop that is executed in a fixed order, the operands of REDCC_SUM_BLOCK iterations are
+ * added up to 8 sums, which replace the first operands of the block: every eighth operand to the
+ * same sum, so that an addition need not wait for the one before it. Shares begin with a block. */
+enum { REDCC_SUM_BLOCK = 64 };
+#define REDCC_SUM_COUNT(redcc_trip)                                                                \
+    ((redcc_trip) / REDCC_SUM_BLOCK * 8 +                                                          \
+     ((redcc_trip) % REDCC_SUM_BLOCK < 8 ? (redcc_trip) % REDCC_SUM_BLOCK : 8))
+/** Stores redcc__operand, the operand of iteration redcc_k. */
+#define REDCC_ADD_OPERAND(redcc_operands, redcc_k)                                                 \
+    if (redcc__checked == 3 /* REDCC_IN_COPIES */ || redcc__worker->variant.follows == 2) {        \
+        const redcc_word redcc__number = (redcc_word)(redcc_k);                                    \
+        __typeof__(redcc__operand) *const redcc__sum =                                             \
+            &(redcc_operands)[redcc__number / REDCC_SUM_BLOCK * 8 + redcc__number % 8];            \
+        *redcc__sum =                                                                              \
+            redcc__number % REDCC_SUM_BLOCK < 8 ? redcc__operand : *redcc__sum + redcc__operand;   \
+    } else                                                                                         \
+        __atomic_store(&(redcc_operands)[redcc_k], &redcc__operand, __ATOMIC_RELAXED);
+/** The sum of these sums, in an order that depends only on their number. */
+#define REDCC_DEFINE_SUM(redcc_type)                                                               \
+    static __attribute__((__noinline__, __unused__))                                               \
+    redcc_type redcc_sum_##redcc_type(const redcc_type *redcc_from, redcc_int redcc_count) {       \
+        redcc_type redcc_sum[8] = {-0.0f, -0.0f, -0.0f, -0.0f, -0.0f, -0.0f, -0.0f, -0.0f};        \
+        const redcc_type *const redcc_end = redcc_from + redcc_count;                              \
+        for (; redcc_end - redcc_from >= 8; redcc_from += 8) {                                     \
+            redcc_sum[0] += redcc_from[0];                                                         \
+            redcc_sum[1] += redcc_from[1];                                                         \
+            redcc_sum[2] += redcc_from[2];                                                         \
+            redcc_sum[3] += redcc_from[3];                                                         \
+            redcc_sum[4] += redcc_from[4];                                                         \
+            redcc_sum[5] += redcc_from[5];                                                         \
+            redcc_sum[6] += redcc_from[6];                                                         \
+            redcc_sum[7] += redcc_from[7];                                                         \
+        }                                                                                          \
+        for (; redcc_from != redcc_end; redcc_from++)                                              \
+            redcc_sum[0] += *redcc_from;                                                           \
+        return ((redcc_sum[0] + redcc_sum[1]) + (redcc_sum[2] + redcc_sum[3])) +                   \
+               ((redcc_sum[4] + redcc_sum[5]) + (redcc_sum[6] + redcc_sum[7]));                    \
+    }
+REDCC_DEFINE_SUM(float)
+REDCC_DEFINE_SUM(double)
+
 /** Frees the operands after their use. */
 #define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->release(&redcc__attempt)
 

@@ -153,7 +153,8 @@ int redcc_claims_last(redcc_worker *worker);
  * several elements of a unit. Cold for the same reason as redcc_flush. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
-/** Does the work of redcc_leave if redcc_enter returned 1. */
+/** Does the work of redcc_leave if redcc_enter returned 1. Returns 2 if the loop is done in a fixed
+ * order that is not its own. */
 int redcc_end(redcc_call *call);
 
 /** Does the work of redcc_sequential_done if a loop is timed. */
@@ -167,16 +168,16 @@ extern int redcc_timed_loops;
 #pragma GCC visibility pop
 #endif
 
-/** Ends an execution, after any result of redcc_enter. Returns 1 if the loop is done. Returns 0 if
+/** Ends an execution, after any result of redcc_enter. Not 0: the loop is done. Returns 0 if
  * the arrays are untouched (a guard failed, or there was no memory or no plan). Then the caller
  * must run the original loop, and the report gives the reason. */
 static __inline__ int redcc_leave(redcc_call *call) {
     return call->decided ? redcc_end(call) : 0;
 }
 
-/** Called after the original loop, and also if redcc_leave returned 1, by the thread that called
- * redcc_leave. If redcc_enter requested timing, passes the original loop's time to method `auto`;
- * otherwise does nothing. */
+/** Called after the original loop, and also if redcc_leave returned not 0, by the thread that
+ * called redcc_leave. If redcc_enter requested timing, passes the original loop's time to method
+ * `auto`; otherwise does nothing. */
 static __inline__ void redcc_sequential_done(redcc_loop *loop) {
     if (__atomic_load_n(&redcc_timed_loops, __ATOMIC_RELAXED))
         redcc_sequential_end(loop);

@@ -109,6 +109,12 @@ typedef struct redcc_hull {
     redcc_counter = redcc__by_hull && redcc_counter != (__typeof__(redcc_counter))(redcc_last)     \
                         ? (__typeof__(redcc_counter))(redcc_last)                                  \
                         : (__typeof__(redcc_counter))(redcc_counter + 1)
+/** The step of a loop that reads the elements at its counter. If only reads are recorded, as one
+ * range, the first and the last iteration suffice. */
+#define REDCC_NEXT_READ(redcc_counter, redcc_end)                                                  \
+    redcc_counter = !redcc__source_mask || redcc_counter == (__typeof__(redcc_counter))(redcc_end) \
+                        ? (__typeof__(redcc_counter))(redcc_counter + 1)                           \
+                        : (__typeof__(redcc_counter))(redcc_end)
 /** As REDCC_TOUCH_SPAN, in a loop that steps by REDCC_NEXT_ROW: if the hull suffices, only extends
  * it. */
 #define REDCC_TOUCH_PART(redcc_i, redcc_at, redcc_end)                                             \

@@ -150,6 +150,8 @@ enum {
     /** The flags contain this value times 2 or 4 if the loop has a vector form that executes 2 or 4
      * iterations at once (lanes.h). On x86-64 it is used only with AVX2. */
     REDCC_LANES_UNIT = 64,
+    /** An iteration has an inner loop of many hundred operations. */
+    REDCC_LONG = 512,
     /** The vector form does not need AVX2. */
     REDCC_LANES_ANYWHERE = 1024,
     /** The slice may read values that the loop has not written yet, and so use invalid addresses.
@@ -339,8 +341,8 @@ typedef struct redcc_tile {
 typedef struct redcc_variant {
     int prefetches; /**< are rows of later iterations prefetched? */
     int lanes;      /**< number of iterations executed at once (REDCC_LANES_UNIT); 0: one by one */
-    int follows; /**< 1: in owner-checked iterations, another thread stores the operands of series
-                  */
+    int follows; /**< 1: in owner-checked iterations, another thread stores the operands of series.
+                    2: operands are added up in blocks (REDCC_ADD_OPERAND) */
     const redcc_tile *tile; /**< after REDCC_TILE: the tile to execute */
 } redcc_variant;
 
@@ -427,6 +429,9 @@ typedef struct redcc_stream {
 typedef struct redcc_binned {
     redcc_loop loop;
     redcc_u32 stream_count;
+    int is_unordered; /**< OpenMP's directives leave the order of the updates open, and all updates
+                         may be made on private copies. So the loop may be executed in a fixed order
+                         that is not its own */
     const redcc_stream *streams;
 } redcc_binned;
 

@@ -3,6 +3,7 @@
 #ifndef REDCC_CALL_H
 #define REDCC_CALL_H
 
+#include "base/bins_kind.h"
 #include "base/float_control.h"
 #include "redcc/runtime.h"
 
@@ -52,5 +53,16 @@ struct call {
     double entered;                     /* time of the entry in seconds */
     int error_before;                   /* errno of the thread that entered the loop */
 };
+
+/** Is the loop executed in shares, each with a private copy of the arrays (bins/shares.h)? */
+static inline bool redcc_in_shares(const struct call *call) {
+    return call->in_bins && call->parameter == BINS_SHARES;
+}
+
+/** Does the program leave the order of the updates open, and is another order used in this call?
+ * All threads together, or a single thread, give the same bits. */
+static inline bool redcc_is_fixed(const struct call *call) {
+    return call->request.sections || redcc_in_shares(call);
+}
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "base/share.h"
 #include "plan/elements.h"
+#include "plan/share_count.h"
 
 #include <assert.h>
 #include <string.h>
@@ -105,14 +106,16 @@ void redcc_bins_apply(struct binning *binning, const struct binner *binner, cons
 
 static const struct element_rule *rule_of(const struct binning *binning, uint32_t array) {
     const redcc_array *it = &binning->loop->loop.arrays[array];
-    return it->type <= REDCC_UINT64
+    const redcc_u32 last = redcc_in_shares(binning->call) ? REDCC_DOUBLE : REDCC_UINT64;
+    return it->type <= last
                ? redcc_element_rule((redcc_operator)it->operation, (redcc_type)it->type)
                : NULL;
 }
 
 bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream) {
     assert(stream->array_count > 0);
-    if (stream->exact != REDCC_STREAM_EXACT)
+    const bool is_span = stream->exact == REDCC_STREAM_SPANS;
+    if (is_span || (!stream->exact && !redcc_in_shares(binning->call)))
         return false;
     for (uint32_t a = 0; a < stream->array_count; a++) {
         const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
@@ -135,7 +138,7 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
     }
 }
 
-/* The range of rows, of an array of the stream, in which one thread's copy is no longer neutral:
+/* The range of rows, of an array of the stream, in which one copy is no longer neutral:
  * from the first to the last changed row. */
 static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
                                      const char *copy) {
@@ -143,7 +146,7 @@ static struct row_range changed_rows(const struct binning *binning, uint32_t s, 
     const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
     const struct window window = binning->stream[s].window;
     const uint64_t row = stream->rows[a], size = rule->size;
-    uint64_t neutral = 0; /* large enough for the largest integer type */
+    uint64_t neutral = 0; /* large enough for the largest type that is copied */
     rule->fill(&neutral, 1);
     uint64_t first = 0, end = window.rows * row;
     while (first < end && memcmp(copy + first, &neutral, size) == 0)
@@ -160,15 +163,33 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
     assert(s < binning->loop->stream_count);
     struct row_range rows = redcc_no_rows;
     for (uint32_t a = 0; a < binning->loop->streams[s].array_count; a++)
-        for (int t = 0; t < binning->call->threads; t++)
+        for (int t = 0; t < binning->copies.count; t++)
             rows = redcc_rows_union(
                 rows, changed_rows(binning, s, a, binning->binner[t]->buffer[s].push.copy[a]));
     return rows;
 }
 
-/* Merges this thread's share of the changed rows of all threads' copies, one copy after the other.
- * Only changed rows are merged, because other rows of the window may lie beyond the array's
- * ends. */
+/* Merges `count` elements, from byte `first` of each copy on, into array number `a` of the stream.
+ */
+static void merge_elements(const struct binning *binning, uint32_t s, uint32_t a, void *to,
+                           size_t first, size_t count) {
+    const uint32_t array = binning->loop->streams[s].arrays[a];
+    const struct element_rule *rule = rule_of(binning, array);
+    const redcc_word limit = binning->loop->loop.arrays[array].limit;
+    void *from[REDCC_MOST_SHARES];
+    for (int c = 0; c < binning->copies.count; c++) {
+        char *copy = binning->binner[c]->buffer[s].push.copy[a] + first;
+        if (redcc_in_shares(binning->call))
+            from[c] = copy;
+        else
+            rule->merge(to, copy, count, limit);
+    }
+    if (redcc_in_shares(binning->call))
+        rule->drain(to, from, (size_t)binning->copies.count, count, limit);
+}
+
+/* Merges this thread's share of the changed rows of all copies, one copy after the other. Only
+ * changed rows are merged, because other rows of the window may lie beyond the array's ends. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct row_range changed = binning->stream[s].changed;
@@ -179,13 +200,10 @@ static void merge_stream(const struct binning *binning, const struct binner *bin
     const redcc_int first = from + redcc_share(rows, binner->threads, binner->thread);
     const redcc_int end = from + redcc_share(rows, binner->threads, binner->thread + 1);
     for (uint32_t a = 0; a < stream->array_count; a++) {
-        const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
         const size_t row = stream->rows[a];
-        void *to = (void *)redcc_row_address(binning, stream, a, base + first);
-        for (int t = 0; t < binner->threads; t++)
-            rule->merge(to, binning->binner[t]->buffer[s].push.copy[a] + (size_t)first * row,
-                        (size_t)(end - first) * row / rule->size,
-                        binning->loop->loop.arrays[stream->arrays[a]].limit);
+        merge_elements(binning, s, a, (void *)redcc_row_address(binning, stream, a, base + first),
+                       (size_t)first * row,
+                       (size_t)(end - first) * row / rule_of(binning, stream->arrays[a])->size);
     }
 }
 

@@ -18,14 +18,15 @@
  * has written nothing.
  *
  * For small arrays of integers, whose updates may be made in any order, each thread instead has a
- * private copy of the rows, and updates it immediately. The copies are merged at the end.
+ * private copy of the rows, and updates it immediately. The copies are merged at the end. Loops
+ * with a fixed order have a copy for each of their shares (shares.h).
  *
  * In a trial, the first round is short. After it, the same number of iterations (a stretch) is
  * executed sequentially, and the two times are compared. After each round, the trial ends if it has
  * lost too much time.
  *
  * The files are window (rows and bins), pieces (distribution of iterations), buffer (records),
- * layout (sizes, memory), guard, apply, rounds.
+ * layout (sizes, memory), shares, guard, apply, rounds.
  */
 #ifndef REDCC_BINNING_H
 #define REDCC_BINNING_H
@@ -63,6 +64,8 @@ struct binner {
     redcc_int pushed;      /* number of iterations pushed in this round */
     redcc_extent *sources; /* [source_count] ranges recorded by redcc_read in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] the thread's records of each stream */
+    const struct binner *holder; /* its buffers are those that the thread's iterations use. It is
+                                    the binner itself, but for shares */
 };
 
 /** What is known of a stream; remembered for later executions. */
@@ -72,8 +75,10 @@ struct binned_stream {
                     margin; 0: unknown */
     struct window window;
     struct row_range changed; /* the rows that private copies change */
-    double cut_for; /* number of records that was expected when the window was cut; 0: the window
-                       must be cut */
+    double cut_for;  /* number of records that was expected when the window was cut; 0: the window
+                        must be cut */
+    int cut_threads; /* the number of threads for which the window was cut */
+    bool is_copied;  /* it was cut for private copies */
 };
 
 /** The iterations of a round. */
@@ -113,6 +118,15 @@ struct bins_trial {
                           began */
 };
 
+/** Private copies. */
+struct private_copies {
+    int count;        /* their number in this execution; 0: it uses records */
+    bool are_denied;  /* the guard failed with private copies; records, whose ranges are more
+                         precise,  may pass */
+    bool are_neutral; /* the last merge has made all copies neutral, and nothing has changed them */
+    bool need_filling; /* in this execution */
+};
+
 struct binning {
     const struct call *call;
     const redcc_binned *loop; /* NULL: the loop has no form for bins */
@@ -120,15 +134,15 @@ struct binning {
     struct binner **binner; /* [binners] the parts of the threads */
     int binners;
     struct binned_stream *stream; /* [stream_count] what is known of each stream */
+    struct binned_stream *known; /* [2 * stream_count] the same, from executions in the order of the
+                                    loop, then from those in shares. These do not know of each
+                                    other, because the shares must not depend on threads */
     enum bins_phase phase;
     struct bins_trial trial;
     struct round round;
-    bool copies;        /* this execution uses private copies */
-    int cut_threads;    /* number of threads for which the windows were cut */
-    bool denies_copies; /* the guard failed with private copies; records, whose ranges are more
-                           precise, may pass */
-    atomic_uint next_bin;
-    atomic_int failed; /* the round is aborted, because records are missing or it is late */
+    struct private_copies copies;
+    atomic_uint next_bin; /* or the set of the shares that threads have taken */
+    atomic_int failed;    /* the round is aborted, because records are missing or it is late */
     struct effects effects;
     enum reason reason; /* why the rest of the loop must run sequentially; REASON_NONE if binning
                            executes the whole loop */
@@ -149,6 +163,11 @@ static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
 static inline bool redcc_bins_is_whole(const struct binning *binning) {
     const unsigned flags = binning->loop->loop.flags;
     return flags & REDCC_WHOLE && !(flags & REDCC_BINS_CHECKED);
+}
+
+/** The number of binners whose buffers an execution uses: the first ones. */
+static inline int redcc_bins_holders(const struct binning *binning) {
+    return binning->copies.count > 0 ? binning->copies.count : binning->call->threads;
 }
 
 /** The address of a row of a stream's array. */
@@ -192,25 +211,19 @@ bool redcc_bins_can_apply(const redcc_binned *loop);
  * gave to redcc_bins_next. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands);
 
-/** Sets the thread's private copies to neutral elements. */
+/** Sets the binner's private copies to neutral elements. */
 void redcc_private_fill(const struct binning *binning, const struct binner *binner);
 
-/** Executes the thread's part in merging the copies of all threads. */
+/** Executes the thread's part in merging all copies, in their order. */
 void redcc_private_merge(const struct binning *binning, const struct binner *binner);
 
-/** The rows of stream `s` that the private copy of some thread will change. */
+/** The rows of stream `s` that some private copy will change. */
 struct row_range redcc_private_rows(const struct binning *binning, uint32_t s);
 
 /** Can the stream's updates be made on private copies, at the addresses of this call? */
 bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream);
 
 /* ---- rounds.c -------------------------------------------------------------------------------- */
-
-/** Initialises the bins of a loop that was never executed. False: out of memory. */
-bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
-
-/** Prepares a thread for an execution by `threads` threads. */
-void redcc_binner_join(struct binner *binner, int threads);
 
 /** Must a trial in a single round of `trip` iterations be given up, because pushing takes too long?
  * A thread has pushed the fraction `pushed` of its share. */
@@ -231,6 +244,14 @@ double redcc_bins_usual(const struct binning *binning);
  * must first be executed sequentially. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands);
+
+/* ---- binner.c ------------------------------------------------------------------------------- */
+
+/** Initialises the bins of a loop that was never executed. False: out of memory. */
+bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
+
+/** Prepares a thread for an execution by `threads` threads. */
+void redcc_binner_join(struct binner *binner, int threads);
 
 /** redcc_binner_new allocates a thread's part (NULL: out of memory). redcc_binner_free frees it. */
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread);

@@ -59,7 +59,7 @@ static struct row_range reached_rows(const struct binning *binning, uint32_t s) 
 /* The rows that the round will write: their exact range, or the range of the bins in use. */
 static struct row_range written_rows(const struct binning *binning, uint32_t s, bool exact) {
     const struct window window = binning->stream[s].window;
-    if (binning->copies)
+    if (binning->copies.count)
         return exact ? redcc_private_rows(binning, s) : redcc_window_rows(window);
     if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
         return reached_rows(binning, s);

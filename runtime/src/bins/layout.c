@@ -5,7 +5,7 @@
  * 0.6 times the bytes of the arrays plus 64 MiB. If the loop must be one round, they may take 512
  * MiB instead of 64.
  */
-#include "bins/binning.h"
+#include "bins/shares.h"
 
 #include "base/memory.h"
 
@@ -51,14 +51,19 @@ static bool cut_windows(struct binning *binning) {
         const redcc_stream *stream = &binning->loop->streams[s];
         struct binned_stream *it = &binning->stream[s];
         const double records = it->rate * (double)left_of(binning) + 1;
-        if (it->cut_for > 0 && records < 4 * it->cut_for && records > it->cut_for / 16)
+        const int threads = binning->call->threads;
+        const bool is_copied = binning->copies.count > 0;
+        if (it->cut_for > 0 && records < 4 * it->cut_for && records > it->cut_for / 16 &&
+            it->cut_threads == threads && it->is_copied == is_copied)
             continue;
+        binning->copies.are_neutral = false;
         it->cut_for = records;
+        it->cut_threads = threads;
+        it->is_copied = is_copied;
         const uint64_t margin = margin_of(binning, it->rows);
-        it->window = binning->copies
-                         ? redcc_copied_window(it->rows, margin)
-                         : redcc_window(stream, from_a_line(binning, s, margin), margin,
-                                        binning->call->threads, it->rate, (double)left_of(binning));
+        it->window = is_copied ? redcc_copied_window(it->rows, margin)
+                               : redcc_window(stream, from_a_line(binning, s, margin), margin,
+                                              threads, it->rate, (double)left_of(binning));
         if (it->window.rows == 0)
             return false;
     }
@@ -82,7 +87,9 @@ static bool wants_copies(const struct binning *binning) {
     const int kind = binning->call->parameter;
     double rows = 0, records = 0;
     size_t bytes = 0;
-    if (kind == BINS_RECORDS || binning->denies_copies || binning->round.begin > 0 ||
+    /* the forms of these loops that update copies add up operands in the blocks of shares */
+    const bool adds = binning->loop->is_unordered && binning->loop->loop.flags & REDCC_ORDER_NEEDED;
+    if (kind == BINS_RECORDS || adds || binning->copies.are_denied || binning->round.begin > 0 ||
         binning->round.failures >= FAILURES_OF_COPIES)
         return false;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
@@ -101,23 +108,16 @@ static bool wants_copies(const struct binning *binning) {
                                    bytes <= redcc_bins_tuning.copies_bytes);
 }
 
-/* Makes redcc_bins_lay_out cut the windows again. */
-static void recut(struct binning *binning) {
-    for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+/* Sets the number of copies. After a failure, makes redcc_bins_lay_out cut the windows again. */
+static void choose_kind(struct binning *binning, int copies) {
+    for (uint32_t s = 0; binning->round.failures > 0 && s < binning->loop->stream_count; s++)
         binning->stream[s].cut_for = 0;
-}
-
-static void choose_kind(struct binning *binning, bool copies) {
-    if (copies != binning->copies || binning->cut_threads != binning->call->threads ||
-        binning->round.failures > 0)
-        recut(binning);
-    binning->copies = copies;
-    binning->cut_threads = binning->call->threads;
+    binning->copies.count = copies;
 }
 
 static bool take_copies(struct binning *binning) {
     bool taken = true;
-    for (int t = 0; taken && t < binning->call->threads; t++)
+    for (int t = 0; taken && t < binning->copies.count; t++)
         for (uint32_t s = 0; taken && s < binning->loop->stream_count; s++)
             taken =
                 redcc_buffer_shape_copies(&binning->binner[t]->buffer[s],
@@ -195,7 +195,7 @@ static bool take_records(struct binning *binning) {
 
 static size_t bytes_held(const struct binning *binning) {
     size_t bytes = 0;
-    for (int t = 0; t < binning->call->threads; t++)
+    for (int t = 0; t < redcc_bins_holders(binning); t++)
         for (uint32_t s = 0; s < binning->loop->stream_count; s++)
             bytes += redcc_memory_size(binning->binner[t]->buffer[s].memory);
     return bytes;
@@ -208,25 +208,53 @@ static bool is_for_several(const struct binning *binning) {
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;
 }
 
+static void note_bytes(struct binning *binning) {
+    const size_t bytes = bytes_held(binning);
+    binning->bytes = bytes > binning->bytes ? bytes : binning->bytes;
+}
+
+static enum reason lay_out_shares(struct binning *binning) {
+    const struct call *call = binning->call;
+    const int shares = redcc_bins_shares(binning, call->request.trip, call->memory_limit);
+    if (shares < 2)
+        return REASON_UNATTRACTIVE;
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+        if (!redcc_private_possible(binning, &binning->loop->streams[s]))
+            return REASON_NO_COPIES;
+    const bool are_neutral = binning->copies.are_neutral && binning->copies.count == shares;
+    choose_kind(binning, shares);
+    if (!cut_windows(binning))
+        return REASON_SPREAD;
+    const bool taken = take_copies(binning);
+    binning->copies.need_filling = !are_neutral || !binning->copies.are_neutral;
+    binning->copies.are_neutral = false;
+    note_bytes(binning);
+    if (!taken)
+        redcc_bins_drop(binning);
+    return taken ? REASON_NONE : REASON_NO_MEMORY;
+}
+
 enum reason redcc_bins_lay_out(struct binning *binning) {
     if (binning->round.failures > MOST_FAILURES)
         return REASON_SPREAD;
-    choose_kind(binning, wants_copies(binning));
+    if (redcc_in_shares(binning->call))
+        return lay_out_shares(binning);
+    binning->copies.are_neutral = false;
+    choose_kind(binning, wants_copies(binning) ? binning->call->threads : 0);
     if (!cut_windows(binning))
         return REASON_SPREAD;
     if (!is_for_several(binning))
         return REASON_ONE_THREAD;
-    bool taken = binning->copies && take_copies(binning);
-    if (!taken && binning->copies) {
+    bool taken = binning->copies.count && take_copies(binning);
+    if (!taken && binning->copies.count) {
         redcc_bins_drop(binning);
-        choose_kind(binning, false);
+        choose_kind(binning, 0);
         if (!cut_windows(binning))
             return REASON_SPREAD;
     }
     taken = taken || take_records(binning);
     if (!taken)
         redcc_bins_drop(binning);
-    const size_t bytes = bytes_held(binning);
-    binning->bytes = bytes > binning->bytes ? bytes : binning->bytes;
+    note_bytes(binning);
     return taken ? REASON_NONE : REASON_NO_MEMORY;
 }

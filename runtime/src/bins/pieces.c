@@ -2,7 +2,7 @@
 #include "bins/pieces.h"
 
 #include "base/share.h"
-#include "bins/binning.h"
+#include "bins/shares.h"
 
 #include <assert.h>
 
@@ -53,7 +53,7 @@ static bool has_room(const struct binning *binning, const struct binner *binner,
     const redcc_int iterations = (share->end - share->begin) / piece_count(share) + 1;
     if (binner->pieces == TAKEN_PIECES)
         return false;
-    for (uint32_t s = 0; !binning->copies && s < binning->loop->stream_count; s++)
+    for (uint32_t s = 0; !binning->copies.count && s < binning->loop->stream_count; s++)
         if (!redcc_buffer_has_room(&binner->buffer[s],
                                    binning->stream[s].rate * (double)iterations))
             return false;
@@ -79,6 +79,8 @@ static bool take_from(const struct binning *binning, struct binner *binner,
 }
 
 bool redcc_pieces_take(struct binning *binning, struct binner *binner) {
+    if (redcc_in_shares(binning->call))
+        return redcc_shares_take(binning, binner);
     struct bins_share *share = &binner->share;
     while (pieces_left(share) > 0)
         if (take_from(binning, binner, share))

@@ -68,7 +68,7 @@ static void hand_out(const struct binning *binning, struct binner *binner, redcc
     worker->stride = 1;
     worker->sources = binner->sources;
     for (uint32_t s = 0; s < stream_count(binning); s++)
-        bins[s] = binner->buffer[s].push;
+        bins[s] = binner->holder->buffer[s].push;
 }
 
 static void forget_reads(const struct binning *binning, struct binner *binner) {
@@ -92,8 +92,12 @@ static bool next_stretch(struct binning *binning, struct binner *binner, redcc_w
     if (!binner->begun)
         begin_measure(binning, binner);
     const redcc_int trip = binning->call->request.trip;
-    const redcc_int begin = redcc_share(trip, binner->threads, binner->thread);
-    const redcc_int end = redcc_share(trip, binner->threads, binner->thread + 1);
+    /* with shares, the sample must not depend on threads */
+    const int parts = redcc_in_shares(binning->call) ? 1 : binner->threads;
+    if (binner->thread >= parts)
+        return false;
+    const redcc_int begin = redcc_share(trip, parts, binner->thread);
+    const redcc_int end = redcc_share(trip, parts, binner->thread + 1);
     const redcc_int share = end - begin, all = redcc_min(redcc_max(share / MEASURED, 2), share);
     const redcc_int stretches = redcc_min(all, STRETCHES);
     const redcc_int length = redcc_min(redcc_max(all / STRETCHES, 1), STRETCH);
@@ -119,9 +123,11 @@ static void begin_push(struct binning *binning, struct binner *binner) {
     binner->pieces = 0;
     binner->next = binner->last = binner->unseen = binner->pushed = 0;
     forget_reads(binning, binner);
+    if (redcc_in_shares(binning->call))
+        return; /* redcc_shares_take prepares the copies */
     for (uint32_t s = 0; s < stream_count(binning); s++)
         redcc_buffer_clear(&binner->buffer[s]);
-    if (binning->copies)
+    if (binning->copies.count)
         redcc_private_fill(binning, binner);
 }
 
@@ -145,7 +151,8 @@ static bool next_chunk(struct binning *binning, struct binner *binner, redcc_wor
         binning->trial.is_late = true;
         atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
     }
-    if (binner->unseen >= CHUNK && has_failed(binning, binner))
+    /* shares are completed, so that the rows found do not depend on threads */
+    if (binner->unseen >= CHUNK && !redcc_in_shares(binning->call) && has_failed(binning, binner))
         atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
     if (atomic_load_explicit(&binning->failed, memory_order_relaxed) ||
         (binner->next == binner->last && !redcc_pieces_take(binning, binner))) {
@@ -274,7 +281,7 @@ static enum bins_phase push_again(struct binning *binning) {
     for (uint32_t s = 0; s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
         bool doubled = false;
-        for (int t = 0; t < binning->call->threads; t++) {
+        for (int t = 0; t < redcc_bins_holders(binning); t++) {
             const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
             it->rows = redcc_rows_union(it->rows, buffer->outside);
             doubled |= buffer->exhausted;
@@ -312,19 +319,19 @@ static void learn(struct binning *binning) {
 static enum bins_phase after_push(struct binning *binning) {
     if (binning->trial.is_late)
         return end_with(binning, REASON_SERIAL_FASTER);
-    for (int t = 0; t < binning->call->threads; t++)
+    for (int t = 0; t < redcc_bins_holders(binning); t++)
         if (has_failed(binning, binning->binner[t]))
             return push_again(binning);
     const enum reason reason = redcc_bins_guard(binning);
     /* with records instead of copies, the guard is more precise */
-    if (reason != REASON_NONE && binning->copies) {
-        binning->denies_copies = true;
+    binning->copies.are_denied |= reason != REASON_NONE && binning->copies.count > 0;
+    if (reason != REASON_NONE && binning->copies.count && !redcc_in_shares(binning->call)) {
         throw_away(binning);
         return lay_out(binning);
     }
     if (reason != REASON_NONE)
         return end_with(binning, reason);
-    if (binning->copies)
+    if (binning->copies.count)
         for (uint32_t s = 0; s < stream_count(binning); s++)
             binning->stream[s].changed = redcc_private_rows(binning, s);
     else
@@ -337,7 +344,7 @@ static enum bins_phase after_push(struct binning *binning) {
 /* If at most three quarters of the bins lie between the first and the last used bin, lets the next
  * execution cut a window of only these rows. */
 static void trim(struct binning *binning) {
-    for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
+    for (uint32_t s = 0; !binning->copies.count && s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
         const struct window window = it->window;
         const struct used_bins used = redcc_used_bins(binning, s);
@@ -392,6 +399,7 @@ static enum bins_phase after_stretch(struct binning *binning) {
 
 static enum bins_phase after_apply(struct binning *binning) {
     binning->rounds++;
+    binning->copies.are_neutral = redcc_in_shares(binning->call);
     const enum bins_phase next = go_on(binning);
     if (next == BINS_OVER && binning->reason == REASON_NONE && binning->rounds == 1)
         trim(binning);
@@ -422,7 +430,7 @@ bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worke
             binner->begun = true;
             return false;
         }
-        if (binner->phase == BINS_APPLY && binning->copies)
+        if (binner->phase == BINS_APPLY && binning->copies.count)
             redcc_private_merge(binning, binner);
         else if (binner->phase == BINS_APPLY)
             redcc_bins_apply(binning, binner, operands);
@@ -438,24 +446,7 @@ bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worke
     return false;
 }
 
-/* ---- begin and end --------------------------------------------------------------------------- */
-
-bool redcc_bins_new(struct binning *binning, const redcc_loop *loop) {
-    binning->loop = redcc_binned_of(loop);
-    if (!binning->loop)
-        return true;
-    binning->stream = redcc_memory_alloc_zeroed(stream_count(binning), sizeof *binning->stream);
-    for (uint32_t s = 0; binning->stream && s < stream_count(binning); s++)
-        binning->stream[s].rows = redcc_no_rows;
-    return binning->stream != NULL;
-}
-
-void redcc_binner_join(struct binner *binner, int threads) {
-    assert(threads >= 1);
-    binner->threads = threads;
-    binner->phase = BINS_START;
-    binner->begun = false;
-}
+/* ---- the beginning --------------------------------------------------------------------------- */
 
 void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
                       struct written_witness witness) {
@@ -466,34 +457,7 @@ void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
     binning->reason = REASON_NONE;
     binning->rounds = 0;
     binning->bytes = 0;
-}
-
-struct binner *redcc_binner_new(const redcc_binned *loop, int thread) {
-    assert(thread >= 0);
-    struct binner *binner = redcc_memory_alloc_zeroed(1, sizeof *binner);
-    if (!binner)
-        return NULL;
-    binner->thread = thread;
-    binner->sources = redcc_memory_alloc_zeroed(loop->loop.source_count, sizeof *binner->sources);
-    binner->buffer = redcc_memory_alloc_zeroed(loop->stream_count, sizeof *binner->buffer);
-    if (binner->sources && binner->buffer)
-        return binner;
-    redcc_binner_free(binner, loop);
-    return NULL;
-}
-
-void redcc_binner_free(struct binner *binner, const redcc_binned *loop) {
-    if (!binner)
-        return;
-    for (uint32_t s = 0; binner->buffer && s < loop->stream_count; s++)
-        redcc_buffer_end(&binner->buffer[s]);
-    redcc_memory_free(binner->sources);
-    redcc_memory_free(binner->buffer);
-    redcc_memory_free(binner);
-}
-
-void redcc_bins_drop(struct binning *binning) {
-    for (int t = 0; binning->loop && t < binning->binners; t++)
-        for (uint32_t s = 0; s < stream_count(binning); s++)
-            redcc_buffer_end(&binning->binner[t]->buffer[s]);
+    if (binning->loop)
+        binning->stream =
+            binning->known + (redcc_in_shares(binning->call) ? stream_count(binning) : 0);
 }

@@ -3,30 +3,11 @@
 
 #include "base/memory.h"
 #include "plan/elements.h"
+#include "plan/share_count.h"
 
 #include <assert.h>
 
 /* ---- how many shares ------------------------------------------------------------------------- */
-
-enum {
-    MOST_SHARES = 16,
-    /* Shorter loops are not worth a call of the runtime. */
-    LEAST_ITERATIONS = 8192,
-    /* As LEAST_ITERATIONS, for loops whose iterations have inner loops or calls. It applies if a
-     * copy has no more elements than the loop has iterations. */
-    LEAST_HEAVY = 512,
-    /* More than two shares are used only if there are this many updates per element of all copies
-     * together. Merging an element into the array and clearing it takes a third of an update's
-     * time. Two shares need only one update per element, because they halve the time. More shares
-     * gain nothing on two cores, so their merge must be cheap (script/bench openmp). */
-    ITERATIONS_PER_ELEMENT = 12,
-    /* Number of updates that an iteration with inner loops or calls counts as. */
-    HEAVY = 8
-};
-
-/* Maximum size of all copies in bytes. It is several times the size of the last-level cache of a
- * few cores. */
-static const size_t most_bytes = (size_t)64 << 20;
 
 static struct range range_of(redcc_extent section) {
     return (struct range){(uintptr_t)section.first, (uintptr_t)section.end};
@@ -73,37 +54,20 @@ static size_t copy_bytes(const redcc_loop *loop, void *const *bases, const redcc
 
 int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *sections, size_t memory_limit) {
-    const bool is_short = loop->flags & REDCC_SHORT;
-    if (trip < (is_short ? LEAST_ITERATIONS : LEAST_HEAVY))
-        return 0;
-    const size_t bytes = copy_bytes(loop, bases, sections);
-    if (bytes == 0)
-        return 0;
-    const size_t most =
-        memory_limit && memory_limit / 4 < most_bytes ? memory_limit / 4 : most_bytes;
-    const double updates = (double)trip * (is_short ? 1 : HEAVY);
-    const double elements = (double)bytes / sizeof(double);
-    if (trip < LEAST_ITERATIONS && elements > (double)trip)
-        return 0;
-    if (elements > updates || bytes > most)
-        return 1;
-    int shares = MOST_SHARES;
-    while (shares > 2 &&
-           ((double)(shares - 1) * elements * (double)ITERATIONS_PER_ELEMENT > updates ||
-            bytes > most / (size_t)(shares - 1)))
-        shares /= 2;
-    return shares;
+    const redcc_size bytes = copy_bytes(loop, bases, sections);
+    return bytes > 0 ? redcc_share_count(loop, trip, redcc_updates(loop, trip), bytes, memory_limit)
+                     : 0;
 }
 
 /* ---- how many threads ------------------------------------------------------------------------ */
 
 /* Seconds. In an execution that takes longer, waking the threads is a small part. */
 #define WORTH_WAKING 0.3e-3
-enum { FEW_CALLS = 1024 };
+enum { FEW_CALLS = 1024, FIRST_SIZE = 16384 };
 
 static unsigned size_of(redcc_int trip) {
     unsigned size = 0;
-    while (size < SECTION_SIZES - 1 && trip > 2 * LEAST_ITERATIONS) {
+    while (size < SECTION_SIZES - 1 && trip > FIRST_SIZE) {
         trip /= 2;
         size++;
     }

@@ -31,7 +31,9 @@ redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, 
     const struct variant_choice *it = &run->variant;
     const bool prefetches = (it->is_asked && redcc_prefetch_is_possible(plan)) ||
                             redcc_variant_of(it->known, is_open_with(run, plan), part);
-    return (redcc_variant){.prefetches = prefetches, .lanes = it->lanes};
+    return (redcc_variant){.prefetches = prefetches,
+                           .lanes = it->lanes,
+                           .follows = plan->method == &redcc_method_sections ? 2 : 0};
 }
 
 void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,

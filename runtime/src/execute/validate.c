@@ -96,7 +96,7 @@ void redcc_validation_grow(struct validation *validation, const redcc_loop *loop
         held->memory ? (struct range){(uintptr_t)held->place, (uintptr_t)held->place + held->bytes}
                      : written.bytes;
     const struct range all = redcc_range_union(before, written.bytes);
-    held->in_order = true;
+    held->in_order = written.in_order;
     if (held->memory && all.first == before.first && all.end == before.end)
         return;
     if (!hold(held, (char *)all.first, all.end - all.first))

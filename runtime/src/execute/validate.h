@@ -63,6 +63,7 @@ struct validation {
 struct written {
     uint32_t array;
     struct range bytes;
+    bool in_order; /* as in struct held */
 };
 
 /** Copies the contents of the plan's groups; the arrays begin at `bases`. There is no validation if

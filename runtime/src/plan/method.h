@@ -115,6 +115,9 @@ static inline enum way redcc_way_of(const struct method *method) {
  * have sections. */
 extern const struct method redcc_method_sections;
 
+/** As `sections`, for updates that OpenMP's `atomic` or `critical` protects (bins/shares.h). */
+extern const struct method redcc_method_shares;
+
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
 

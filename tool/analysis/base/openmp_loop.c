@@ -103,6 +103,7 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         else if (read.construct <= OPENMP_PARALLEL)
             result->kept = with_text(a, "a region in the loop", d);
         result->has_locks |= !is_above;
+        result->has_critical |= !is_above && read.construct != OPENMP_ATOMIC;
         if (kept)
             result->kept = with_text(a, kept, d);
         if (result->kept)

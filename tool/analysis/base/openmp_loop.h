@@ -11,12 +11,13 @@
 typedef struct openmp_loop {
     unsigned item_count;
     const openmp_item *items;
-    bool has_locks;   /* `atomic` or `critical` occurs in the loop, so other threads may update
-                       * the same memory */
-    bool is_of_team;  /* the directive is `for`: the threads of an enclosing region share the
-                       * loop */
-    const char *kept; /* why the directives must be kept, as far as their text shows it; NULL if
-                       * no reason has been found */
+    bool has_locks;    /* `atomic` or `critical` occurs in the loop, so other threads may update
+                        * the same memory */
+    bool has_critical; /* `critical` occurs in the loop, which protects reads as well */
+    bool is_of_team;   /* the directive is `for`: the threads of an enclosing region share the
+                        * loop */
+    const char *kept;  /* why the directives must be kept, as far as their text shows it; NULL if
+                        * no reason has been found */
 } openmp_loop;
 
 typedef struct blocked_scalar {

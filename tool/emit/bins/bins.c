@@ -433,6 +433,7 @@ void write_streams(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
+/** Are all updates exact, so that private copies may be made in any order? */
 static bool are_all_exact(const loop_text *loop) {
     for (unsigned i = 0; i < bins_stream_count(loop); i++)
         if (!is_exact(loop, &loop->bins->streams[i]))
@@ -440,13 +441,28 @@ static bool are_all_exact(const loop_text *loop) {
     return true;
 }
 
+bool bins_have_copier(const loop_text *loop) {
+    return loop->bins && loop->plan->execution.is_unordered;
+}
+
 const char *bins_phase(loop_text *loop) {
     assert(loop->bins);
     const char *varied = loop->outline.reads_call
                              ? arena_format(loop->arena, " %uu,", loop->bins->varied_sources)
                              : "";
-    return arena_format(loop->arena, "REDCC_BINS_%u, %uu,%s %d", loop->facts->array_count,
-                        loop->bins->guarded_sources, varied, are_all_exact(loop));
+    const char *copies = bins_have_copier(loop) ? arena_format(loop->arena, "REDCC_COPIED_BY(%s)",
+                                                               outlined_name(loop, "copies"))
+                         : are_all_exact(loop)  ? "1"
+                                                : "0";
+    return arena_format(loop->arena, "REDCC_BINS_%u, %uu,%s %s", loop->facts->array_count,
+                        loop->bins->guarded_sources, varied, copies);
+}
+
+const char *bins_copied(const loop_text *loop) {
+    const unsigned first = loop->bins->guarded_sources;
+    const unsigned later = loop->outline.reads_call ? loop->bins->varied_sources : first;
+    return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %uu", loop->facts->array_count, first,
+                        later);
 }
 
 const char *streams_argument(loop_text *loop) {

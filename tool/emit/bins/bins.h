@@ -24,8 +24,12 @@ void write_bins(loop_text *loop, writer *out);
 /** Writes the descriptions of the bins_stream_count streams. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
+/** Does a separate function execute iterations whose updates are made on private copies?
+ * bins_copied: arguments of its REDCC_COPY_CHUNK. */
+bool bins_have_copier(const loop_text *loop);
+const char *bins_copied(const loop_text *loop);
 /** Arguments of REDCC_PARALLEL_BINNED. bins_phase returns those that name the sources to log, and
- * say whether updates are exact. streams_argument returns the streams. */
+ * say how updates are made on private copies. streams_argument returns the streams. */
 const char *bins_phase(loop_text *loop);
 const char *streams_argument(loop_text *loop);
 

@@ -15,6 +15,7 @@
 #include "emit/body/series.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
+#include "plan/sections.h"
 
 static const char *type_of(const scalar_update *update) {
     static const char *const types[] = {"redcc_word", "float", "double"};
@@ -108,10 +109,34 @@ static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
                : "";
 }
 
+/** In a loop that is executed in a fixed order, may the operands be added up in another order? */
+static bool is_plain_sum(const scalar_update *update) {
+    return !update->is_series && !update->is_conditional && !update->is_extremum &&
+           update->operand != OPERAND_INTEGER &&
+           (update->op == IR_OP_ADD || update->op == IR_OP_SUBTRACT);
+}
+
+/** If the runtime executes the loop in a fixed order, are its operands added up in blocks of
+ * iterations (REDCC_ADD_OPERAND)? */
+static bool adds_in_blocks(const loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (!is_plain_sum(&facts->scalars[i]))
+            return false;
+    return is_reordered(loop->plan) && !loop->lanes.is_wanted;
+}
+
 /** Writes a block in place of the user's statement. The block is a single statement, so it may
  * follow an `if` without braces. */
 static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const char *type = type_of(&loop->facts->scalars[number]);
+    if (adds_in_blocks(loop) && !loop->tiles) {
+        writer_line(out,
+                    "{ %s redcc__operand = (%s)%s; "
+                    "REDCC_ADD_OPERAND(redcc__operands_%u, redcc__k) }",
+                    type, type, value, number);
+        return;
+    }
     writer_line(out,
                 "{ %s redcc__operand = (%s)%s; "
                 "__atomic_store(&redcc__operands_%u[redcc__k], &redcc__operand, "
@@ -203,6 +228,20 @@ static void apply_iteration(loop_text *loop, writer *out) {
     }
 }
 
+/** Writes the sums of all operands, if the runtime has executed the loop in a fixed order. */
+static void write_sums(loop_text *loop, writer *out) {
+    writer_line(out, "    if (redcc__done == 2) {");
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        const scalar_update *update = &loop->facts->scalars[i];
+        const char *name = loop_operand(loop, update->target);
+        writer_line(out,
+                    "        %s = (__typeof__(%s))(%s %c redcc_sum_%s(redcc__operands_%u, "
+                    "REDCC_SUM_COUNT(redcc__trip)));",
+                    name, name, name, sign_of(update->op), type_of(update), i);
+    }
+    writer_line(out, "    } else");
+}
+
 static void name_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         for (unsigned k = 0; k < 2; k++)
@@ -221,6 +260,8 @@ void apply_operands(loop_text *loop, writer *out) {
     if (has_operands(loop->facts)) {
         writer_line(out, "    redcc_int redcc__i;");
         name_operands(loop, out);
+        if (adds_in_blocks(loop))
+            write_sums(loop, out);
         writer_line(out, "    for (redcc__i = 0; redcc__i < %s; redcc__i++) {", loop_made(loop));
         apply_iteration(loop, out);
         writer_line(out, "    }");

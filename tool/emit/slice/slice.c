@@ -15,6 +15,7 @@
 #include "emit/base/step.h"
 #include "emit/slice/access_log.h"
 #include "emit/slice/hull.h"
+#include "emit/slice/read_ends.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
@@ -266,7 +267,8 @@ static void log_at_once(printer *p, const ir_node *loop) {
 }
 
 static const char *step_of(printer *p, const ir_node *loop) {
-    return hull_step((inspector *)p, loop);
+    const char *const step = hull_step((inspector *)p, loop);
+    return step ? step : read_ends_step((inspector *)p, loop);
 }
 
 /** Records an obstacle if an access of the loop is not logged. */

@@ -7,9 +7,17 @@
  */
 #include "plan/methods/shares.h"
 
+#include "base/bins_kind.h"
+
 const struct method redcc_method_sections = {.name = "sections",
                                              .parameter = "N",
                                              .keeps = REDCC_ORDER_FIXED,
                                              .copies = COPY_LATER,
                                              .owners = redcc_one_owner,
                                              .prepare = redcc_fixed_shares_prepare};
+
+const struct method redcc_method_shares = {.name = "sections",
+                                           .parameter = "N",
+                                           .keeps = REDCC_ORDER_FIXED,
+                                           .in_bins = true,
+                                           .usual = BINS_SHARES};
