@@ -35,6 +35,9 @@ static void texts_that_make_no_difference(void **state) {
         "#if __GNUC__ > 2 || (__GNUC__ == 2 && __GNUC_MINOR__ >= 96)\n",
         "#if defined(__GNUC__) && ((__GNUC__*100 + __GNUC_MINOR__) >= 302) && defined(__ELF__)\n",
         "#if defined __clang__ || defined __GNUC__\n",
+        "#if (defined __clang__ && __clang_major__ >= 3) || (defined __GNUC__ && __GNUC__ >= 3)\n",
+        "#if defined(__clang_major__) || defined(__GNUC__)\n",
+        "#if __clang_major__ < 3 && __GNUC__ < 3\n",
         "  #  elif defined(__GNUC__) // a comment\n",
         "#if !defined(__GNUC__) || (OTHER > 3 && __GNUC__ < 3)\n",
         "#if defined(X) && \\\n    __GNUC__ >= 3\n",
@@ -55,6 +58,11 @@ static void texts_that_make_one(void **state) {
         const char *text, *word;
     } cases[] = {
         {"#ifdef __clang__\n", "__clang__"},
+        {"#ifdef __clang_major__\n", "__clang_major__"},
+        {"#if __clang_major__ >= 3\n", "__clang_major__"},
+        {"#if __clang_major__ >= 19 || __GNUC__ >= 3 && !defined __clang__\n", "__clang_major__"},
+        {"#if !__clang_major__ || __clang_major__ > 20\n", "__clang_major__"},
+        {"int a[__clang_major__];\n", "__clang_major__"},
         {"#ifdef __INT64_C\n", "__INT64_C"},
         {"n += sizeof(__UINT_FAST16_TYPE__);\n", "__UINT_FAST16_TYPE__"},
         {"#ifdef __FLT64_MAX__\n", "__FLT64_MAX__"},
@@ -93,7 +101,7 @@ static void for_clang_only_versions_count(void **state) {
 }
 
 static void assert_value(const char *expression, int64_t value) {
-    const condition_value found = condition_evaluate(expression, (condition_version){9, 3, false});
+    const condition_value found = condition_evaluate(expression, (condition_version){9, 3, 0});
     if (found.is_wrong || !found.is_known || found.value != value)
         fail_msg("%s: wrong %d, known %d, value %lld", expression, found.is_wrong, found.is_known,
                  (long long)found.value);
@@ -121,8 +129,7 @@ static void what_is_no_condition(void **state) {
                                         "3 / 0",   "\"a\"",   "1 ? 2",   "X(Y(1))",  "defined",
                                         "1 << 99", "-1 >> 1", "'a' > 3", "defined()"};
     for (unsigned i = 0; i < sizeof texts / sizeof texts[0]; i++) {
-        const condition_value found =
-            condition_evaluate(texts[i], (condition_version){9, 3, false});
+        const condition_value found = condition_evaluate(texts[i], (condition_version){9, 3, 0});
         if (!found.is_wrong)
             fail_msg("understood: %s", texts[i]);
     }
@@ -130,7 +137,7 @@ static void what_is_no_condition(void **state) {
     for (unsigned i = 0; i + 1 < sizeof deep; i++)
         deep[i] = i % 2 ? '!' : '(';
     deep[sizeof deep - 1] = 0;
-    assert_true(condition_evaluate(deep, (condition_version){9, 3, false}).is_wrong);
+    assert_true(condition_evaluate(deep, (condition_version){9, 3, 0}).is_wrong);
 }
 
 int main(void) {

@@ -101,8 +101,8 @@ static condition_value read_defined(reader *r) {
         return wrong;
     if (is_name(name, length, "__GNUC__") || is_name(name, length, "__GNUC_MINOR__"))
         return known(1);
-    if (is_name(name, length, "__clang__"))
-        return known(r->version.is_clang);
+    if (is_name(name, length, "__clang__") || is_name(name, length, "__clang_major__"))
+        return known(r->version.clang_major != 0);
     const condition_value nothing = known(0), of = unknown(name, length);
     return combined("defined", &of, &nothing);
 }
@@ -119,7 +119,9 @@ static condition_value read_name(reader *r) {
     if (is_name(name, length, "__GNUC_MINOR__"))
         return known(r->version.minor);
     if (is_name(name, length, "__clang__"))
-        return known(r->version.is_clang);
+        return known(r->version.clang_major != 0);
+    if (is_name(name, length, "__clang_major__"))
+        return known(r->version.clang_major);
     skip_blanks(r);
     if (*r->at != '(')
         return unknown(name, length);

@@ -7,11 +7,11 @@
 #include <stdint.h>
 
 /** The macros that give the compiler's version: the values of __GNUC__ and __GNUC_MINOR__, and
- * whether __clang__ is defined. */
+ * of __clang_major__, which only clang defines, as it does __clang__. */
 typedef struct condition_version {
     int major;
     int minor;
-    bool is_clang;
+    int clang_major; /**< 0: not clang */
 } condition_version;
 
 /** A known or unknown value. The `form` of an unknown value is the hash of its expression: two

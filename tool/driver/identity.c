@@ -26,7 +26,6 @@ static const char *const sensitive[] = {
     "__SANITIZE_THREAD__",
     "__SSP__",
     "__VERSION__",
-    "__clang_major__",
     "__clang_minor__",
     "__clang_patchlevel__",
     "__clang_version__",
@@ -81,6 +80,8 @@ static const char *const sensitive_for_gcc[] = {
 
 /* The gcc version that clang claims, and the versions of gcc 5 and later. */
 enum { CLANG_MAJOR = 4, CLANG_MINOR = 2, FIRST_MAJOR = 5, LAST_MAJOR = 40, LAST_MINOR = 9 };
+/* The versions of libclang that redcc can be built with, and later ones. */
+enum { FIRST_CLANG = 17, LAST_CLANG = 60 };
 
 static bool is_in(const char *word, const char *const *list, size_t count) {
     for (size_t i = 0; i < count; i++)
@@ -106,13 +107,18 @@ static bool is_of_sensitive_family(const char *word) {
 
 static bool is_sensitive(const char *word, bool is_clang) {
     return is_in(word, sensitive, COUNT(sensitive)) ||
+           (is_clang && strcmp(word, "__clang_major__") == 0) ||
            (!is_clang && (is_in(word, sensitive_for_gcc, COUNT(sensitive_for_gcc)) ||
                           is_of_sensitive_family(word)));
 }
 
+static bool is_only_of_clang(const char *word) {
+    return strcmp(word, "__clang__") == 0 || strcmp(word, "__clang_major__") == 0;
+}
+
 static bool is_version(const char *word) {
     return strcmp(word, "__GNUC__") == 0 || strcmp(word, "__GNUC_MINOR__") == 0 ||
-           strcmp(word, "__clang__") == 0;
+           is_only_of_clang(word);
 }
 
 /* The line around `at`, joined with the lines that end in a backslash, without the backslashes. */
@@ -138,11 +144,17 @@ static char *logical_line(arena *a, const char *text, const char *at) {
 static bool is_same_for_all_versions(const char *expression) {
     const int last_minor = strstr(expression, "__GNUC_MINOR__") ? LAST_MINOR : 0;
     const condition_value clang =
-        condition_evaluate(expression, (condition_version){CLANG_MAJOR, CLANG_MINOR, true});
+        condition_evaluate(expression, (condition_version){CLANG_MAJOR, CLANG_MINOR, FIRST_CLANG});
+    for (int major = FIRST_CLANG; major <= LAST_CLANG; major++) {
+        const condition_value other =
+            condition_evaluate(expression, (condition_version){CLANG_MAJOR, CLANG_MINOR, major});
+        if (!condition_equal(&clang, &other))
+            return false;
+    }
     for (int major = FIRST_MAJOR; major <= LAST_MAJOR; major++)
         for (int minor = 0; minor <= last_minor; minor++) {
             const condition_value gcc =
-                condition_evaluate(expression, (condition_version){major, minor, false});
+                condition_evaluate(expression, (condition_version){major, minor, 0});
             if (!condition_equal(&clang, &gcc))
                 return false;
         }
@@ -161,8 +173,7 @@ static bool is_harmless(const char *line, const char *word) {
     const char *rest = line + length;
     if ((length == 5 && strncmp(line, "ifdef", 5) == 0) ||
         (length == 6 && strncmp(line, "ifndef", 6) == 0))
-        return strcmp(word, "__clang__") != 0; /* both gcc and clang define __GNUC__,
-                                                * __GNUC_MINOR__ */
+        return !is_only_of_clang(word); /* both gcc and clang define __GNUC__, __GNUC_MINOR__ */
     bool is_condition = (length == 2 && strncmp(line, "if", 2) == 0) ||
                         (length == 4 && strncmp(line, "elif", 4) == 0);
     return is_condition && is_same_for_all_versions(rest);

@@ -278,6 +278,8 @@ typedef struct task {
     const source *source;
     unsigned flag_count;
     const char *const *flags;
+    bool only_diagnoses;
+    bool is_parsed;
     frontend_result result;
 } task;
 
@@ -317,31 +319,38 @@ static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     unit->dialect.math_errno = chosen->math_errno;
 }
 
+static void convert_parsed(task *t, const char *name, CXTranslationUnit clang,
+                           const parse_flags *chosen) {
+    ir_unit *unit = convert(t->arena, t->source, name, clang, chosen);
+    /* Strict aliasing is disabled for the whole file even if an attribute or a pragma disables it
+     * only for a part. This costs only speed. */
+    const bool is_disabled_in_text =
+        strstr(t->source->text, "no-strict-aliasing") != NULL || names_may_alias(t->source->text);
+    unit->dialect.strict_aliasing &= chosen->strict_aliasing && !is_disabled_in_text;
+    apply_flags(unit, chosen);
+    for (unsigned i = 0; i < t->flag_count; i++) {
+        unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
+        if (strstr(t->flags[i], "_Pragma") != NULL)
+            unit->text.unseen_word = "_Pragma";
+    }
+    if (chosen->is_c23 && lexing_has_digit_separator(t->source->text, t->source->length))
+        unit->text.unseen_word = "a digit separator";
+    assert(ir_check_parsed(t->arena, unit) == NULL);
+    t->result.unit = unit;
+}
+
 static void run(void *data) {
     task *t = data;
     const char *name = strcmp(t->source->path, "-") == 0 ? "<stdin>" : t->source->path;
     parse_flags chosen = choose_flags(t->arena, t->flag_count, t->flags);
     CXIndex index = clang_createIndex(0, 0);
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
+    t->is_parsed = clang != NULL;
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, name, &t->result);
         list_inclusions(t->arena, clang, &t->result);
-        ir_unit *unit = convert(t->arena, t->source, name, clang, &chosen);
-        /* Strict aliasing is disabled for the whole file even if an attribute or a pragma disables
-         * it only for a part. This costs only speed. */
-        const bool is_disabled_in_text = strstr(t->source->text, "no-strict-aliasing") != NULL ||
-                                         names_may_alias(t->source->text);
-        unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_disabled_in_text;
-        apply_flags(unit, &chosen);
-        for (unsigned i = 0; i < t->flag_count; i++) {
-            unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
-            if (strstr(t->flags[i], "_Pragma") != NULL)
-                unit->text.unseen_word = "_Pragma";
-        }
-        if (chosen.is_c23 && lexing_has_digit_separator(t->source->text, t->source->length))
-            unit->text.unseen_word = "a digit separator";
-        assert(ir_check_parsed(t->arena, unit) == NULL);
-        t->result.unit = unit;
+        if (!t->only_diagnoses)
+            convert_parsed(t, name, clang, &chosen);
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);
@@ -357,15 +366,31 @@ static void use_one_heap(void) {
 #endif
 }
 
-frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
-                               const char *const *flags) {
-    task t = {.arena = a, .source = src, .flag_count = flag_count, .flags = flags};
+static void run_task(task *t) {
     /* By default, libclang parses on a separate thread with a stack of 8 MB. A few hundred nested
      * parentheses would overflow it and end the process. */
     setenv("LIBCLANG_NOTHREADS", "1", 0);
     use_one_heap();
-    clang_executeOnThread(run, &t, STACK_SIZE);
+    clang_executeOnThread(run, t, STACK_SIZE);
+}
+
+frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
+                               const char *const *flags) {
+    task t = {.arena = a, .source = src, .flag_count = flag_count, .flags = flags};
+    run_task(&t);
     return t.result;
+}
+
+bool frontend_diagnose(arena *a, const source *src, unsigned flag_count, const char *const *flags,
+                       frontend_result *result) {
+    task t = {.arena = a,
+              .source = src,
+              .flag_count = flag_count,
+              .flags = flags,
+              .only_diagnoses = true};
+    run_task(&t);
+    *result = t.result;
+    return t.is_parsed;
 }
 
 const char *frontend_version(arena *a) {

@@ -42,6 +42,11 @@ frontend_folders frontend_header_folders(arena *a);
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags);
 
+/** Parses `src` for its diagnostics alone: the result has no unit. Returns false if nothing could
+ * be parsed. */
+bool frontend_diagnose(arena *a, const source *src, unsigned flag_count, const char *const *flags,
+                       frontend_result *result);
+
 /** The version of libclang, for --version. */
 const char *frontend_version(arena *a);
 

@@ -62,6 +62,8 @@ static bool may_depend_on_callees(const loop_verdict *verdict) {
     case REASON_SELF_INCLUDED:
     case REASON_IGNORED:
     case REASON_RECURSION:
+    case REASON_IN_HEADER: /* all else permits the loop; with the header in place, callees are
+                            * asked for again */
         return false;
     case REASON_TRIP_COUNT:
     case REASON_COUNTER_MODIFIED:
@@ -75,12 +77,21 @@ static bool may_depend_on_callees(const loop_verdict *verdict) {
     }
 }
 
+/* The outermost loop around this loop. Calls of loops beside it say nothing about the loop. */
+static ir_node *outermost_loop(const ir_node *loop) {
+    const ir_node *found = loop;
+    for (const ir_node *above = loop->parent; above; above = above->parent)
+        if (ir_is_loop(above))
+            found = above;
+    return (ir_node *)found;
+}
+
 static wanted wanted_functions(arena *a, const ir_unit *unit, const analysis_result *before) {
     wanted w = {.memory = a, .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     for (unsigned i = 0; i < before->verdict_count; i++)
         if (before->verdicts[i].kind == VERDICT_REFUSE &&
             may_depend_on_callees(&before->verdicts[i]))
-            find_wanted(&w, before->verdicts[i].function->body);
+            find_wanted(&w, outermost_loop(before->verdicts[i].loop));
     return w;
 }
 

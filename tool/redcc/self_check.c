@@ -28,9 +28,9 @@ static void note(arena *a, const emit_result *written, int loop, reason_id id, c
             found[i] = reason_make(a, id, text, (ir_range){0});
 }
 
-static void note_errors(arena *a, const frontend_result *result, const emit_result *written,
-                        reason *found) {
-    if (!result->unit)
+static void note_errors(arena *a, bool is_parsed, const frontend_result *result,
+                        const emit_result *written, reason *found) {
+    if (!is_parsed)
         note(a, written, -1, REASON_INTERNAL, "it cannot be parsed at all", found);
     for (unsigned i = 0; i < result->diagnostic_count; i++) {
         const frontend_diagnostic *d = &result->diagnostics[i];
@@ -67,13 +67,15 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
     const frontend_result first = parse(a, output, &parallel);
     if (first.unit) /* reported before errors, since changed meanings of names explain more */
         note_bindings(a, input, first.unit, written, found);
-    note_errors(a, &first, written, found);
+    note_errors(a, first.unit != NULL, &first, written, found);
     if (first.unit)
         note_types(a, first.unit, written, found);
     const char *const sequential_flags[] = {"-DREDCC_OFF", NULL};
     const string_list sequential = with_flags(a, flags, sequential_flags);
-    const frontend_result second = parse(a, output, &sequential);
-    note_errors(a, &second, written, found);
+    frontend_result second;
+    const bool is_parsed =
+        frontend_diagnose(a, output, sequential.count, sequential.items, &second);
+    note_errors(a, is_parsed, &second, written, found);
     for (unsigned i = 0; i < written->loop_count; i++)
         if (found[i].id != REASON_NONE)
             return false;

@@ -50,18 +50,36 @@ static void take_loop(callee_loops *loops, ir_node *loop) {
                                     .may_end_early = ir_leaves_loop(ir_loop_body(loop))};
 }
 
-callee_loops callee_loops_around(const ir_function *function, const ir_node *node) {
+/* The innermost loop whose body contains the node, or the function's body. */
+static const ir_node *innermost(const ir_node *node) {
+    while (node->parent && !(node->parent->kind == IR_FOR && ir_loop_body(node->parent) == node))
+        node = node->parent;
+    return node;
+}
+
+static callee_loops find_loops(variable_facts *facts, const ir_function *function,
+                               const ir_node *child) {
     callee_loops loops = {.body = function->body, .are_known = true};
-    const ir_node *child = node;
-    assert(function->body && ir_contains(function->body, node));
-    for (ir_node *outer = node->parent; outer; child = outer, outer = outer->parent)
+    for (ir_node *outer = child->parent; outer; child = outer, outer = outer->parent)
         if (outer->kind == IR_FOR && ir_loop_body(outer) == child)
             take_loop(&loops, outer);
     /* a jump may lead into a loop, or skip an assignment */
-    if (child != function->body || ir_has_kind(function->body, IR_LABEL) ||
-        ir_has_kind(function->body, IR_GOTO) || ir_has_kind(function->body, IR_OPAQUE))
+    if (child != function->body || variable_facts_has_jump(facts, function))
         loops.are_known = false;
     return loops;
+}
+
+callee_loops callee_loops_around(arena *a, variable_facts *facts, map *found,
+                                 const ir_function *function, const ir_node *node) {
+    assert(function->body && ir_contains(function->body, node));
+    const ir_node *body = innermost(node);
+    void **known = map_at(found, &body, sizeof body);
+    if (!*known) {
+        callee_loops *loops = ARENA_NEW(a, callee_loops);
+        *loops = find_loops(facts, function, body);
+        *known = loops;
+    }
+    return *(const callee_loops *)*known;
 }
 
 bool callee_loops_counter(callee_loops *loops, const ir_variable *variable, const ir_node *site) {

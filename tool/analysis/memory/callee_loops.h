@@ -5,6 +5,8 @@
 #define ANALYSIS_CALLEE_LOOPS_H
 
 #include "analysis/base/counted.h"
+#include "analysis/memory/variable_facts.h"
+#include "support/map.h"
 
 enum { CALLEE_MOST_LOOPS = 4 };
 
@@ -24,7 +26,10 @@ typedef struct callee_loops {
     bool are_known; /* false if there are too many loops, or jumps that are not analysed */
 } callee_loops;
 
-callee_loops callee_loops_around(const ir_function *function, const ir_node *node);
+/** `found` is what earlier calls for this function found, by the innermost loop. The header of a
+ *  loop is read once, and not again for each access in the loop. */
+callee_loops callee_loops_around(arena *a, variable_facts *facts, map *found,
+                                 const ir_function *function, const ir_node *node);
 
 /** Is the variable, as evaluated at `site`, the counter of one of these loops? If so, marks the
  *  loop as used. */

@@ -143,7 +143,8 @@ static bool can_be_recorded(const loop_list *list, const ir_node *row) {
  * certain to happen, and it must contain no operation that may trap. */
 static bool access_with_loops(const callee_terms *terms, const access *item, bool follows_changes,
                               access *result) {
-    callee_loops loops = callee_loops_around(terms->function, item->node);
+    callee_loops loops =
+        callee_loops_around(terms->memory, terms->facts, terms->loops, terms->function, item->node);
     if (item->kind != ACCESS_READ || !item->is_exact || !loops.are_known ||
         (!loops.count && !item->loop_count))
         return false;

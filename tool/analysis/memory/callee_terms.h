@@ -12,6 +12,7 @@ typedef struct callee_terms {
     const hidden_names *names;
     bool strict_aliasing;
     const ir_function *function;
+    map *loops;             /* of callee_loops_around, for this function */
     const access_list *raw; /* all accesses in its text, including those of its local variables */
 } callee_terms;
 

@@ -64,8 +64,9 @@ static bool is_own(const effects *all, const ir_function *function, const ir_nod
            where->object->function == function;
 }
 
-static void summarise_access(effects *all, const ir_function *function, const access_list *raw,
-                             const access *item, access_list *result) {
+static void summarise_access(effects *all, const callee_terms *terms, const access *item,
+                             access_list *result) {
+    const ir_function *function = terms->function;
     location where;
     access kept = *item;
     kept.callee = function;
@@ -86,9 +87,7 @@ static void summarise_access(effects *all, const ir_function *function, const ac
         VECTOR_PUSH(all->memory, &result->items, kept);
         return;
     }
-    const callee_terms terms = {
-        all->memory, all->facts, all->names, all->unit->dialect.strict_aliasing, function, raw};
-    kept = callee_terms_of(&terms, item);
+    kept = callee_terms_of(terms, item);
     kept.callee = function;
     if (where.is_string)
         return;
@@ -114,8 +113,15 @@ static void summarise(effects *all, const ir_function *function, access_list *re
         access_problem problem = {REASON_IMPURE_CALL, function->body, function->name};
         VECTOR_PUSH(all->memory, &result->problems, problem);
     }
+    const callee_terms terms = {.memory = all->memory,
+                                .facts = all->facts,
+                                .names = all->names,
+                                .strict_aliasing = all->unit->dialect.strict_aliasing,
+                                .function = function,
+                                .loops = map_new(all->memory),
+                                .raw = &raw};
     for (unsigned i = 0; i < raw.items.count && i <= SUMMARY_LIMIT; i++)
-        summarise_access(all, function, &raw, &raw.items.items[i], result);
+        summarise_access(all, &terms, &raw.items.items[i], result);
 }
 
 const access_list *effects_of(effects *all, const ir_function *function) {

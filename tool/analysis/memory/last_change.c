@@ -98,8 +98,7 @@ static last_change change_around(variable_facts *facts, const ir_variable *varia
 last_change last_change_before(variable_facts *facts, const ir_function *function,
                                const ir_variable *variable, const ir_node *site) {
     const ir_node *body = function->body, *part = site;
-    if (!ir_contains(body, site) || ir_has_kind(body, IR_LABEL) || ir_has_kind(body, IR_GOTO) ||
-        ir_has_kind(body, IR_OPAQUE))
+    if (!ir_contains(body, site) || variable_facts_has_jump(facts, function))
         return unknown;
     while (ir_is_expression(part) || part->kind == IR_DECLARATOR)
         part = part->parent;

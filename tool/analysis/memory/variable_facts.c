@@ -5,12 +5,14 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "support/map.h"
 
 struct variable_facts {
     arena *memory;
     const ir_unit *unit;
     must_write *prover;
     variable_fact *facts; /* indexed by variable id */
+    map *jumps;           /* a function's body -> a value other than NULL: `jumps` if it has one */
 };
 
 /* The variable that the node changes, wholly or in part, or whose address it takes. NULL if there
@@ -106,6 +108,7 @@ variable_facts *variable_facts_new(arena *a, const ir_unit *unit, must_write *pr
     all->unit = unit;
     all->prover = prover;
     all->facts = ARENA_ARRAY(a, variable_fact, unit->variable_count + 1);
+    all->jumps = map_new(a);
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body)
             ir_walk(unit->functions[i]->body, note_occurrence, all);
@@ -119,6 +122,17 @@ const ir_unit *variable_facts_unit(const variable_facts *facts) {
 const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *variable) {
     assert(facts->unit->variables[variable->id] == variable);
     return &facts->facts[variable->id];
+}
+
+static bool is_jump_or_opaque(const ir_node *node) {
+    return node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_OPAQUE;
+}
+
+bool variable_facts_has_jump(variable_facts *facts, const ir_function *function) {
+    void **known = map_at(facts->jumps, &function->body, sizeof function->body);
+    if (!*known)
+        *known = ir_any(function->body, is_jump_or_opaque) ? (void *)facts->jumps : (void *)facts;
+    return *known == facts->jumps;
 }
 
 unsigned expression_last_id(const ir_node *node) {

@@ -56,6 +56,10 @@ bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_va
 bool variable_may_change_in(variable_facts *facts, const ir_node *node,
                             const ir_variable *variable);
 
+/** Does the function hold a label, a goto or an opaque node, so that control may reach a node by
+ *  other ways than its text shows? Asked often, and answered by one walk for each function. */
+bool variable_facts_has_jump(variable_facts *facts, const ir_function *function);
+
 /** The greatest node id in the tree below `node`. Ids are in preorder, so the subtree has exactly
  *  the ids from node->id to this one. */
 unsigned expression_last_id(const ir_node *node);
