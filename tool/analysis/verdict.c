@@ -361,7 +361,7 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
  * evaluates the conditions of all of them. */
 static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
-    const loop_exits *exits = open_loop_find(an->memory, function, loop);
+    const loop_exits *exits = open_loop_find(an->memory, an->unit->source, function, loop);
     if (!exits)
         return none;
     loop_exits_take_out(exits);

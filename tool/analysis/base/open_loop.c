@@ -6,6 +6,8 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/step_inside.h"
+#include "ir/ir_syntax.h"
 
 /* ---- the counter ----------------------------------------------------------------------------- */
 
@@ -32,12 +34,32 @@ static ir_variable *stepped_up(const ir_node *increment) {
                                                                                         : NULL;
 }
 
-static ir_variable *counter_of(const ir_node *loop) {
+/* The first variable that an expression in the node steps upwards after its use, as in *p++. Inner
+ * loops are not searched. */
+static ir_variable *stepped_inside(const ir_node *node) {
+    ir_variable *variable = is_step_afterwards(node) ? stepped_up(node) : NULL;
+    for (unsigned i = 0; i < node->child_count && !variable && !ir_is_loop(node); i++)
+        variable = stepped_inside(node->children[i]);
+    return variable;
+}
+
+/* The variable that a step of its own steps: in the third clause, or at the end of the body. */
+static ir_variable *stepped_at_end(const ir_node *loop) {
     if (loop->kind == IR_FOR)
         return stepped_up(expression_of(loop->children[2]));
-    const ir_node *body = ir_loop_body(loop);
-    const ir_node *last = body->child_count ? body->children[body->child_count - 1] : NULL;
+    const ir_node *body = ir_loop_body(loop), *last = body;
+    if (body->kind == IR_BLOCK)
+        last = body->child_count ? body->children[body->child_count - 1] : NULL;
     return last && last->kind == IR_EXPRESSION ? stepped_up(last->children[0]) : NULL;
+}
+
+/* The variable that the loop steps. Whether it counts the iterations is decided by
+ * counted_recognise_analysed. */
+static ir_variable *counter_of(const ir_node *loop, const ir_node *condition) {
+    ir_variable *variable = stepped_at_end(loop);
+    if (!variable)
+        variable = stepped_inside(condition);
+    return variable ? variable : stepped_inside(ir_loop_body(loop));
 }
 
 /* ---- new nodes ------------------------------------------------------------------------------- */
@@ -114,34 +136,34 @@ static bool is_beyond_search(const ir_node *node) {
 }
 
 /* A block with the statements of the body, after room for the exit. */
-static ir_node *block_around(const maker *m, const ir_node *body, bool has_exit) {
+static ir_node *block_around(const maker *m, const source *text, ir_node *body, bool has_exit) {
     const unsigned room = has_exit ? 1 : 0;
-    ir_node *block = make(m, IR_BLOCK, NULL, room + body->child_count);
-    block->range = body->range;
+    const bool is_block = body->kind == IR_BLOCK;
+    ir_node *block = make(m, IR_BLOCK, NULL, room + (is_block ? body->child_count : 1));
+    block->range = (ir_range){body->range.begin, syntax_statement_end(text, body)};
     for (unsigned i = room; i < block->child_count; i++)
-        block->children[i] = body->children[i - room];
+        block->children[i] = is_block ? body->children[i - room] : body;
     return block;
 }
 
-loop_exits *open_loop_find(arena *a, ir_function *function, ir_node *loop) {
+loop_exits *open_loop_find(arena *a, const source *text, ir_function *function, ir_node *loop) {
     ir_node *body = (ir_node *)ir_loop_body(loop);
-    if ((loop->kind != IR_FOR && loop->kind != IR_WHILE) || body->kind != IR_BLOCK)
+    if (loop->kind != IR_FOR && loop->kind != IR_WHILE)
         return NULL;
     ir_node **place = &loop->children[loop->kind == IR_FOR ? 1 : 0];
     const bool has_exit = (*place)->kind != IR_EMPTY;
-    ir_variable *counter = counter_of(loop);
+    ir_variable *counter = counter_of(loop, *place);
     loop_exits *exits = counter ? loop_exits_find(a, body) : NULL;
     if (!exits || exits->count + has_exit > LOOP_MOST_EXITS || exits->count + has_exit == 0)
         return NULL;
     open_loop *open = ARENA_NEW(a, open_loop);
     *open = (open_loop){.loop = loop, .place = place, .header = *place, .body = body};
     open->condition = has_exit ? (ir_node *)expression_of(*place) : NULL;
-    if (has_exit && (ir_any(open->condition, is_beyond_search) ||
-                     variable_is_written_in(open->condition, counter)))
+    if (has_exit && ir_any(open->condition, is_beyond_search))
         return NULL;
     const uint32_t begin = body->range.begin;
     const maker m = {a, function, {begin, begin}};
-    open->block = block_around(&m, body, has_exit);
+    open->block = block_around(&m, text, body, has_exit);
     open->block->parent = loop;
     if (has_exit)
         add_exit(&m, exits, open, open->block);
@@ -176,7 +198,7 @@ void open_loop_restore(const open_loop *open) {
     *open->place = open->header;
     set_body(open, open->body);
     for (unsigned i = open->condition ? 1 : 0; i < open->block->child_count; i++)
-        open->block->children[i]->parent = open->body;
+        open->block->children[i]->parent = open->body->kind == IR_BLOCK ? open->body : open->loop;
     if (open->condition)
         open->condition->parent = open->header == open->condition ? open->loop : open->header;
 }
