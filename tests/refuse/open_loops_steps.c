@@ -102,3 +102,16 @@ void light(const int *p, double *h) {
     while ((k = *p++) != -1) // EXPECT: refuse trip-count
         h[k] += 1;
 }
+
+/* The outer loop is refused for the second list, which it reads in the condition of a do loop. */
+void with_do(int n, int *const *row, int *b) {
+    for (int i = 0; i + 1 < n; i++) {
+        const int *p = row[i], *q = row[i + 1];
+        int k;
+        while ((k = *q++) != -1) // EXPECT: refuse trip-count
+            b[k]++;
+        do
+            b[*p]++;
+        while (*++p != -1);
+    }
+}

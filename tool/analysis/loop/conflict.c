@@ -232,7 +232,7 @@ static void add_terms(query *q, const ir_node *node, bool is_factor, terms *t) {
         }
         return;
     }
-    if ((node->kind != IR_BINARY && node->kind != IR_UNARY) || node->op == IR_OP_DEREFERENCE) {
+    if (node->kind != IR_BINARY && node->kind != IR_UNARY) {
         t->has_table = true;
         return;
     }
