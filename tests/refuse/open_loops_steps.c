@@ -115,3 +115,29 @@ void with_do(int n, int *const *row, int *b) {
         while (*++p != -1);
     }
 }
+
+/* The condition reads what it assigned, or reads twice, so its addresses are not known before it. */
+void condition_reads_on(int n, int *const *row, const int *most, int *b) {
+    for (int i = 0; i < n; i++) {
+        const int *p = row[i];
+        int k;
+        while ((k = *p++) != -1 && most[k] > 0) // EXPECT: refuse trip-count
+            b[k]++;
+    }
+}
+
+void condition_reads_twice(int n, int *const *row, int *b) {
+    for (int i = 0; i < n; i++) {
+        const int *p = row[i];
+        int k;
+        while ((k = *p++) != -1 && *p++ > 5) // EXPECT: refuse trip-count
+            b[k]++;
+    }
+}
+
+void condition_by_header(int n, int *const *row, int *b) {
+    int k;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; (k = row[i][j++]) > -1 && row[i][j] < 9; j++) // EXPECT: refuse trip-count
+            b[k]++;
+}

@@ -3,13 +3,13 @@
 
 #include "ir/ir_syntax.h"
 
-node_maker new_nodes_at(arena *a, ir_function *function, uint32_t offset) {
-    return (node_maker){a, function, {offset, offset}};
+node_maker new_nodes_for(arena *a, const ir_node *header, const ir_node *body) {
+    return (node_maker){a, header->id, {body->range.begin, body->range.begin}};
 }
 
 ir_node *new_node_of(const node_maker *m, ir_kind kind, const ir_type *type, unsigned children) {
     ir_node *node = ir_new(m->memory, kind, type, children);
-    node->id = m->function->node_count++;
+    node->id = m->id;
     node->range = m->range;
     return node;
 }
@@ -19,11 +19,21 @@ void new_node_adopt(ir_node *parent, unsigned number, ir_node *child) {
     child->parent = parent;
 }
 
-ir_node *new_negation(const node_maker *m, ir_node *condition) {
+static unsigned last_id(const ir_node *node) {
+    while (node->child_count)
+        node = node->children[node->child_count - 1];
+    return node->id;
+}
+
+ir_node *new_jump_unless(const node_maker *m, ir_node *condition, ir_kind jump) {
+    ir_node *statement = new_node_of(m, IR_IF, NULL, 2);
     ir_node *negation = new_node_of(m, IR_UNARY, condition->type, 1);
     negation->op = IR_OP_NOT;
     negation->children[0] = condition;
-    return negation;
+    new_node_adopt(statement, 0, negation);
+    new_node_adopt(statement, 1, new_node_of(m, jump, NULL, 0));
+    statement->children[1]->id = last_id(condition); /* the jump comes after the condition */
+    return statement;
 }
 
 ir_node *new_truth(const node_maker *m) {

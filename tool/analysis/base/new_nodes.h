@@ -7,19 +7,23 @@
 #include "ir/ir.h"
 #include "support/source.h"
 
+/** Analyses compare ids to learn which node comes first, and what a subtree contains. So the new
+ *  nodes have the id of the header's part from which they are made: this comes before the loop's
+ *  body. Only expressions share an id with a statement. */
 typedef struct node_maker {
     arena *memory;
-    ir_function *function;
+    unsigned id;
     ir_range range; /* empty */
 } node_maker;
 
-node_maker new_nodes_at(arena *a, ir_function *function, uint32_t offset);
+/** Makes nodes for a loop with this part of its header, and this body. */
+node_maker new_nodes_for(arena *a, const ir_node *header, const ir_node *body);
 
 ir_node *new_node_of(const node_maker *m, ir_kind kind, const ir_type *type, unsigned children);
 void new_node_adopt(ir_node *parent, unsigned number, ir_node *child);
 
-/** !condition. The condition keeps its parent. */
-ir_node *new_negation(const node_maker *m, ir_node *condition);
+/** if (!condition) jump; The condition keeps its parent. */
+ir_node *new_jump_unless(const node_maker *m, ir_node *condition, ir_kind jump);
 
 /** The number 1. */
 ir_node *new_truth(const node_maker *m);

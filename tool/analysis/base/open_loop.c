@@ -86,21 +86,18 @@ static ir_node *comparison_of(const node_maker *m, ir_variable *counter, const i
 /* `if (!condition) continue;` as an exit. The empty statement stands for its text, which is in the
  * header. */
 static void add_exit(const node_maker *m, loop_exits *exits, open_loop *open, ir_node *block) {
-    ir_node *negation = new_negation(m, open->condition);
-    ir_node *rest = new_node_of(m, IR_IF, NULL, 2), *end = new_node_of(m, IR_CONTINUE, NULL, 0);
+    ir_node *rest = new_jump_unless(m, open->condition, IR_CONTINUE);
     ir_node *statement = new_node_of(m, IR_EMPTY, NULL, 0);
-    open->negation = negation;
-    end->flags = IR_LEAVES;
-    new_node_adopt(rest, 0, negation);
-    new_node_adopt(rest, 1, end);
+    open->negation = rest->children[0];
+    rest->children[1]->flags = IR_LEAVES;
     rest->parent = block;
     new_node_adopt(block, 0, statement);
     for (unsigned i = exits->count++; i > 0; i--)
         exits->items[i] = exits->items[i - 1];
     exits->items[0] = (loop_exit){.statement = statement,
                                   .rest = rest,
-                                  .condition = negation,
-                                  .tested = negation,
+                                  .condition = open->negation,
+                                  .tested = open->negation,
                                   .holder = rest,
                                   .parent = block,
                                   .is_kept = !expression_is_plain(open->condition)};
@@ -112,7 +109,7 @@ static bool is_beyond_search(const ir_node *node) {
     return node->kind == IR_CALL || loop_exits_cannot_evaluate(node);
 }
 
-loop_exits *open_loop_find(arena *a, const source *text, ir_function *function, ir_node *loop) {
+loop_exits *open_loop_find(arena *a, const source *text, ir_node *loop) {
     ir_node *body = (ir_node *)ir_loop_body(loop);
     if (loop->kind != IR_FOR && loop->kind != IR_WHILE)
         return NULL;
@@ -127,8 +124,7 @@ loop_exits *open_loop_find(arena *a, const source *text, ir_function *function, 
     open->condition = has_exit ? (ir_node *)new_nodes_expression(*place) : NULL;
     if (has_exit && ir_any(open->condition, is_beyond_search))
         return NULL;
-    const uint32_t begin = body->range.begin;
-    const node_maker m = new_nodes_at(a, function, begin);
+    const node_maker m = new_nodes_for(a, *place, body);
     open->block = new_block_around(&m, text, body, has_exit ? 1 : 0);
     open->block->parent = loop;
     if (has_exit)
