@@ -351,7 +351,8 @@ static loop_verdict analysed_opening(const analyser *an, ir_function *function, 
                                      loop_verdict found) {
     if (found.kind != VERDICT_REFUSE || found.why.id != REASON_MAY_ALIAS)
         return found;
-    const inner_conditions *moved = inner_conditions_move(an->memory, an->unit->source, loop);
+    const inner_conditions *moved =
+        inner_conditions_move(an->memory, an->unit->source, function, loop);
     if (!moved)
         return found;
     const loop_verdict opened = analysed(an, function, loop, NULL, NULL, NULL);
@@ -378,7 +379,7 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
  * evaluates the conditions of all of them. */
 static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
-    const loop_exits *exits = open_loop_find(an->memory, an->unit->source, loop);
+    const loop_exits *exits = open_loop_find(an->memory, an->unit->source, function, loop);
     if (!exits)
         return none;
     loop_exits_take_out(exits);

@@ -34,12 +34,13 @@ static bool may_move(ir_node *loop) {
            !counted_recognise_analysed(loop).is_counted;
 }
 
-static void move(inner_conditions *moved, arena *a, const source *text, ir_node *loop) {
+static void move(inner_conditions *moved, arena *a, const source *text, ir_function *function,
+                 ir_node *loop) {
     moved_condition it = {.loop = loop,
                           .header = loop->children[header_of(loop)],
                           .body = loop->children[body_of(loop)]};
     it.condition = (ir_node *)new_nodes_expression(it.header);
-    const node_maker m = new_nodes_for(a, it.header, it.body);
+    const node_maker m = new_nodes_for(a, function, it.header, it.body);
     it.block = new_block_around(&m, text, it.body, 1);
     ir_node *leaving = new_jump_unless(&m, it.condition, IR_BREAK);
     it.block->children[0] = leaving;
@@ -53,19 +54,21 @@ static void move(inner_conditions *moved, arena *a, const source *text, ir_node 
     VECTOR_PUSH(a, &moved->items, it);
 }
 
-static void move_below(inner_conditions *moved, arena *a, const source *text, ir_node *node) {
+static void move_below(inner_conditions *moved, arena *a, const source *text, ir_function *function,
+                       ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++) {
-        move_below(moved, a, text, node->children[i]);
+        move_below(moved, a, text, function, node->children[i]);
         if (may_move(node->children[i]))
-            move(moved, a, text, node->children[i]);
+            move(moved, a, text, function, node->children[i]);
     }
 }
 
-inner_conditions *inner_conditions_move(arena *a, const source *text, ir_node *loop) {
+inner_conditions *inner_conditions_move(arena *a, const source *text, ir_function *function,
+                                        ir_node *loop) {
     inner_conditions *moved = ARENA_NEW(a, inner_conditions);
-    move_below(moved, a, text, (ir_node *)ir_loop_body(loop));
+    move_below(moved, a, text, function, (ir_node *)ir_loop_body(loop));
     if (may_move((ir_node *)ir_loop_body(loop))) /* a body without braces */
-        move(moved, a, text, (ir_node *)ir_loop_body(loop));
+        move(moved, a, text, function, (ir_node *)ir_loop_body(loop));
     return moved->items.count ? moved : NULL;
 }
 

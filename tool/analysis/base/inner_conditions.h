@@ -17,7 +17,8 @@ typedef struct inner_conditions inner_conditions;
 
 /** Moves the conditions that read memory into the bodies of their loops, which get the flag
  *  IR_OPENED. Counted loops and loops of macros stay as they are. NULL if nothing was moved. */
-inner_conditions *inner_conditions_move(arena *a, const source *text, ir_node *loop);
+inner_conditions *inner_conditions_move(arena *a, const source *text, ir_function *function,
+                                        ir_node *loop);
 
 void inner_conditions_put_back(const inner_conditions *moved);
 

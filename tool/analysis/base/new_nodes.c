@@ -3,8 +3,9 @@
 
 #include "ir/ir_syntax.h"
 
-node_maker new_nodes_for(arena *a, const ir_node *header, const ir_node *body) {
-    return (node_maker){a, header->id, {body->range.begin, body->range.begin}};
+node_maker new_nodes_for(arena *a, ir_function *function, const ir_node *header,
+                         const ir_node *body) {
+    return (node_maker){a, function, header->id, {body->range.begin, body->range.begin}};
 }
 
 ir_node *new_node_of(const node_maker *m, ir_kind kind, const ir_type *type, unsigned children) {
@@ -48,6 +49,7 @@ ir_node *new_truth(const node_maker *m) {
 ir_node *new_block_around(const node_maker *m, const source *text, ir_node *body, unsigned room) {
     const bool is_block = body->kind == IR_BLOCK;
     ir_node *block = new_node_of(m, IR_BLOCK, NULL, room + (is_block ? body->child_count : 1));
+    block->id = m->function->node_count++;
     block->range = (ir_range){body->range.begin, syntax_statement_end(text, body)};
     for (unsigned i = room; i < block->child_count; i++)
         block->children[i] = is_block ? body->children[i - room] : body;

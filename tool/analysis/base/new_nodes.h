@@ -7,17 +7,19 @@
 #include "ir/ir.h"
 #include "support/source.h"
 
-/** Analyses compare ids to learn which node comes first, and what a subtree contains. So the new
- *  nodes have the id of the header's part from which they are made: this comes before the loop's
- *  body. Only expressions share an id with a statement. */
+/** Analyses compare ids to learn which node comes first. So the new nodes have the id of the
+ *  header's part from which they are made, which comes before the loop's body. A block has an id of
+ *  its own: of statements that share an id, only one would be kept in a slice. */
 typedef struct node_maker {
     arena *memory;
+    ir_function *function;
     unsigned id;
     ir_range range; /* empty */
 } node_maker;
 
-/** Makes nodes for a loop with this part of its header, and this body. */
-node_maker new_nodes_for(arena *a, const ir_node *header, const ir_node *body);
+/** Makes nodes for a loop of the function, with this part of its header, and this body. */
+node_maker new_nodes_for(arena *a, ir_function *function, const ir_node *header,
+                         const ir_node *body);
 
 ir_node *new_node_of(const node_maker *m, ir_kind kind, const ir_type *type, unsigned children);
 void new_node_adopt(ir_node *parent, unsigned number, ir_node *child);

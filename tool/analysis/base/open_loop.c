@@ -109,7 +109,7 @@ static bool is_beyond_search(const ir_node *node) {
     return node->kind == IR_CALL || loop_exits_cannot_evaluate(node);
 }
 
-loop_exits *open_loop_find(arena *a, const source *text, ir_node *loop) {
+loop_exits *open_loop_find(arena *a, const source *text, ir_function *function, ir_node *loop) {
     ir_node *body = (ir_node *)ir_loop_body(loop);
     if (loop->kind != IR_FOR && loop->kind != IR_WHILE)
         return NULL;
@@ -124,7 +124,7 @@ loop_exits *open_loop_find(arena *a, const source *text, ir_node *loop) {
     open->condition = has_exit ? (ir_node *)new_nodes_expression(*place) : NULL;
     if (has_exit && ir_any(open->condition, is_beyond_search))
         return NULL;
-    const node_maker m = new_nodes_for(a, *place, body);
+    const node_maker m = new_nodes_for(a, function, *place, body);
     open->block = new_block_around(&m, text, body, has_exit ? 1 : 0);
     open->block->parent = loop;
     if (has_exit)

@@ -18,9 +18,9 @@
 
 #include "analysis/base/facts.h"
 
-/** Finds the exits of a loop without a bound; NULL if it has another form. `text` is its
- *  source. */
-loop_exits *open_loop_find(arena *a, const source *text, ir_node *loop);
+/** Finds the exits of a loop without a bound; NULL if it has another form. `function` contains the
+ *  loop, and `text` is its source. */
+loop_exits *open_loop_find(arena *a, const source *text, ir_function *function, ir_node *loop);
 
 /** Gives the loop its limit and its exit, or takes them away again. loop_exits_take_out and
  *  loop_exits_put_back call these. */
