@@ -2,8 +2,8 @@
 /** Gives inner loops whose end an element tells one form, in which a statement of the body reads
  * the element:
  *
- *      while ((k = *p++) != END) b[k]++;    ->    while (1) { if (!((k = *p++) != END)) break;
- * b[k]++; }
+ *      while ((k = *p++) != END) b[k]++;
+ *      while (1) { if (!((k = *p++) != END)) break; b[k]++; }
  *
  *  The inspector records what statements read, so that it can be compared with what the analysed
  *  loop updates. Reads in the condition itself it cannot record. */

@@ -85,7 +85,8 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place) {
 }
 
 /* Does `place` use the variable only in one step v++, which it executes at most once? Then the step
- * finds the value that the variable has at the beginning of `place`. A loop repeats its condition. */
+ * finds the value that the variable has at the beginning of `place`. A loop repeats its condition.
+ */
 static bool is_only_stepped(const loop_analysis *j, const ir_node *place,
                             const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
