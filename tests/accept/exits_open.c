@@ -4,12 +4,9 @@
 // THREADS: 1 2 3 7 16 33
 // INTEGERS: no
 // COMPILERS: gcc clang-19
-#include <sys/mman.h>
-#include <unistd.h>
+#include "ended_list.h"
 
-#include "case.h"
-
-enum { MOST = 3000, M = 200 };
+enum { MOST = ENDED_MOST, M = 200 };
 static double h[M], w[MOST + 1];
 static int turns = 2; /* iterations are long */
 
@@ -79,22 +76,6 @@ __attribute__((noinline)) static int endless(const int *list, int most) {
     return i;
 }
 
-/* Returns a list of `count` elements. Its end is the last element before a page that cannot be read. */
-static int *new_list(int count) {
-    static char *memory;
-    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
-    const size_t bytes = ((MOST + 1) * sizeof(int) / page + 1) * page;
-    if (!memory) {
-        memory = mmap(NULL, bytes + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        mprotect(memory + bytes, page, PROT_NONE);
-    }
-    int *list = (int *)(void *)(memory + bytes) - count - 1;
-    for (int i = 0; i < count; i++)
-        list[i] = case_below(M);
-    list[count] = -1;
-    return list;
-}
-
 static void run(const int *list, int most) {
     int results[6];
     results[0] = assigned(list);
@@ -111,7 +92,7 @@ int main(void) {
     static const int counts[] = {0, 1, 2, 15, 16, 17, 48, 1000, 999, MOST};
     case_values(w, MOST + 1);
     for (unsigned c = 0; c < sizeof counts / sizeof *counts; c++) {
-        int *list = new_list(counts[c]);
+        int *list = ended_list(counts[c], M);
         run(list, M);
         if (counts[c] < 3)
             continue;

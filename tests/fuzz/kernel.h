@@ -182,7 +182,7 @@ const char *contribution(kernel *k, const array *a);
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
- * turns.c, walks.c, pairs.c, shapes.c, leave.c, recent.c, tables.c, lookups.c */
+ * turns.c, walks.c, pairs.c, shapes.c, leave.c, lists.c, recent.c, tables.c, lookups.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -210,6 +210,7 @@ void in_pieces(kernel *k);
 void idiom(kernel *k);
 void shape_of_an_attack(kernel *k);
 void leave_or_look(kernel *k);
+void list_of_row(kernel *k);
 void recent_shape(kernel *k);
 /** Appends a loop with OpenMP directives, behind the other loops. */
 void loop_with_directives(kernel *k);

@@ -215,6 +215,8 @@ void leave_or_look(kernel *k) {
                                                 leaves,
                                                 leaves,
                                                 leaves_from_inside,
+                                                list_of_row,
+                                                list_of_row,
                                                 demands,
                                                 demands,
                                                 valid_under_a_condition,

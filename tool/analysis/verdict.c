@@ -6,6 +6,7 @@
 
 #include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/inner_conditions.h"
 #include "analysis/base/loop_exits.h"
 #include "analysis/base/loop_loads.h"
 #include "analysis/base/open_loop.h"
@@ -344,6 +345,23 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
                : loading;
 }
 
+/* If the loop is refused for a read that cannot be compared, analyses it again with the conditions
+ * of inner loops in their bodies. They stay there if the loop is accepted. */
+static loop_verdict analysed_opening(const analyser *an, ir_function *function, ir_node *loop,
+                                     loop_verdict found) {
+    if (found.kind != VERDICT_REFUSE || found.why.id != REASON_MAY_ALIAS)
+        return found;
+    const inner_conditions *moved =
+        inner_conditions_move(an->memory, an->unit->source, function, loop);
+    if (!moved)
+        return found;
+    const loop_verdict opened = analysed(an, function, loop, NULL, NULL, NULL);
+    if (opened.kind == VERDICT_TRANSFORM)
+        return opened;
+    inner_conditions_put_back(moved);
+    return found;
+}
+
 /* Analyses the loop without its exits. The result is VERDICT_NOT_A_REDUCTION if one of them cannot
  * be removed. */
 static loop_verdict analysed_staying(const analyser *an, ir_function *function, ir_node *loop) {
@@ -362,7 +380,7 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
  * VERDICT_TRANSFORM or VERDICT_NOT_A_REDUCTION. */
 static loop_verdict analysed_open(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict none = {.kind = VERDICT_NOT_A_REDUCTION};
-    const loop_exits *exits = open_loop_find(an->memory, function, loop);
+    const loop_exits *exits = open_loop_find(an->memory, an->unit->source, function, loop);
     if (!exits)
         return none;
     loop_exits_take_out(exits);
@@ -378,8 +396,9 @@ static bool is_about_leaving(reason_id why) {
 }
 
 static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_node *loop) {
-    const loop_verdict found =
-        analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
+    const loop_verdict found = analysed_opening(
+        an, function, loop,
+        analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL)));
     if (found.kind != VERDICT_REFUSE)
         return found;
     const bool may_leave = is_about_leaving(found.why.id);

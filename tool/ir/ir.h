@@ -311,6 +311,9 @@ enum {
                        * shows */
     IR_LEAVES = 256,  /* an IR_CONTINUE that stands for leaving the analysed loop
                        * (analysis/base/loop_exits.h), so it skips no step of the counter */
+    IR_OPENED = 512,  /* a loop whose condition was moved into its body
+                       * (analysis/base/inner_conditions.h), so parts of its text must not be
+                       * replaced by themselves */
     IR_FROM_CALL = 32 /* the node replaces a call and reads file-scope variables that the call's
                        * text does not name (ir_accessors.h). The call's text therefore must not
                        * be copied to a place with other variables or other memory. IR_FROM_MACRO

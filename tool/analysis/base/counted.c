@@ -307,12 +307,35 @@ static counted_result recognise_stepping(const ir_node *loop, counted_loop *coun
     return check(counted, loop, NULL);
 }
 
+/* Recognises a step inside the body, as in while (p < end) h[*p++]++ and for (; p < end;)
+ * h[*p++]++. Each iteration must execute the step exactly once and not use the counter after it. */
+static bool split_inside(const ir_node *condition, counted_loop *counted) {
+    for (unsigned side = 0; condition->kind == IR_BINARY && side < 2; side++) {
+        const ir_node *compared = condition->children[side];
+        const ir_node *step = compared->kind == IR_VARIABLE
+                                  ? lone_last_step(counted->body, compared->variable)
+                                  : NULL;
+        if (!step || may_continue_before(counted->body, step) ||
+            !counted_step(step, &counted->counter, &counted->step) ||
+            !split_condition(condition, counted))
+            continue;
+        counted->increment = step;
+        counted->steps_inside = true;
+        return true;
+    }
+    return false;
+}
+
 static counted_result recognise_for(const ir_node *loop) {
     const ir_node *increment = expression_of(loop->children[2]);
     const ir_node *condition = expression_of(loop->children[1]);
     counted_loop counted = {.body = loop->children[3]};
     if (counted_split_stepping(condition, &counted))
         return recognise_stepping(loop, &counted);
+    counted = (counted_loop){.body = loop->children[3]};
+    if (increment->kind == IR_EMPTY && split_inside(condition, &counted) &&
+        split_start(loop, &counted))
+        return check(&counted, loop, NULL);
     counted = (counted_loop){.body = loop->children[3]};
     if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
@@ -344,24 +367,6 @@ static counted_result recognise_for(const ir_node *loop) {
     return check(&counted, loop, NULL);
 }
 
-/* Recognises a step inside the body, as in while (p < end) h[*p++]++. Each iteration must execute
- * the step exactly once and not use the counter after it. */
-static bool split_inside(const ir_node *condition, counted_loop *counted) {
-    for (unsigned side = 0; condition->kind == IR_BINARY && side < 2; side++) {
-        const ir_node *compared = condition->children[side];
-        const ir_node *step = compared->kind == IR_VARIABLE
-                                  ? lone_last_step(counted->body, compared->variable)
-                                  : NULL;
-        if (!step || !counted_step(step, &counted->counter, &counted->step) ||
-            !split_condition(condition, counted))
-            continue;
-        counted->increment = step;
-        counted->steps_inside = true;
-        return true;
-    }
-    return false;
-}
-
 /* Recognises a while or do loop. A do loop is counted like the while loop with the same body and
  * condition. If that while loop would have no iteration, the computed trip count is not positive
  * and the original loop runs. */
@@ -375,7 +380,7 @@ static counted_result recognise_while(const ir_node *loop) {
         return recognise_stepping(loop, &counted);
     }
     counted = (counted_loop){.body = body};
-    if (split_inside(condition, &counted) && !ir_continues(body))
+    if (split_inside(condition, &counted))
         return check(&counted, loop, NULL);
     counted = (counted_loop){.body = body};
     if (body->kind != IR_BLOCK || body->child_count == 0)

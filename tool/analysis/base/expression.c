@@ -273,7 +273,7 @@ bool expression_is_assigned(const ir_node *node) {
            parent->children[0] == node;
 }
 
-bool expression_evaluates_parts(const ir_node *node) {
+static bool evaluates_parts(const ir_node *node) {
     switch (node->kind) {
     case IR_BLOCK:
     case IR_DECLARATION:
@@ -291,4 +291,9 @@ bool expression_evaluates_parts(const ir_node *node) {
     default:
         return false;
     }
+}
+
+bool expression_evaluates(const ir_node *node, const ir_node *part) {
+    return evaluates_parts(node) ||
+           ((node->kind == IR_BINARY || node->kind == IR_IF) && node->children[0] == part);
 }

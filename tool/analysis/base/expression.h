@@ -74,9 +74,10 @@ ir_operator expression_negated(ir_operator op);
 /** Is it a local variable or a parameter, with automatic storage? */
 bool variable_is_automatic(const ir_variable *variable);
 
-/** Does evaluating the node evaluate each of its children exactly once? False for &&, ||, &, calls
- *  and control statements. */
-bool expression_evaluates_parts(const ir_node *node);
+/** Does executing the node evaluate this child exactly once? False for the right operand of && and
+ *  ||, the operand of &, calls, and all parts of control statements but the condition of an `if`.
+ */
+bool expression_evaluates(const ir_node *node, const ir_node *part);
 
 /** Is the node the target of a plain `=`? Then its old value is not read. */
 bool expression_is_assigned(const ir_node *node);

@@ -6,12 +6,10 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/new_nodes.h"
+#include "analysis/base/step_inside.h"
 
 /* ---- the counter ----------------------------------------------------------------------------- */
-
-static const ir_node *expression_of(const ir_node *part) {
-    return part->kind == IR_EXPRESSION ? part->children[0] : part;
-}
 
 static bool may_count(const ir_variable *variable) {
     const ir_type *type = variable->type, *target = type->target;
@@ -32,76 +30,74 @@ static ir_variable *stepped_up(const ir_node *increment) {
                                                                                         : NULL;
 }
 
-static ir_variable *counter_of(const ir_node *loop) {
+/* The first variable that an expression in the node steps upwards after its use, as in *p++. Inner
+ * loops are not searched. */
+static ir_variable *stepped_inside(const ir_node *node) {
+    ir_variable *variable = is_step_afterwards(node) ? stepped_up(node) : NULL;
+    for (unsigned i = 0; i < node->child_count && !variable && !ir_is_loop(node); i++)
+        variable = stepped_inside(node->children[i]);
+    return variable;
+}
+
+/* The variable that a step of its own steps: in the third clause, or at the end of the body. */
+static ir_variable *stepped_at_end(const ir_node *loop) {
     if (loop->kind == IR_FOR)
-        return stepped_up(expression_of(loop->children[2]));
-    const ir_node *body = ir_loop_body(loop);
-    const ir_node *last = body->child_count ? body->children[body->child_count - 1] : NULL;
+        return stepped_up(new_nodes_expression(loop->children[2]));
+    const ir_node *body = ir_loop_body(loop), *last = body;
+    if (body->kind == IR_BLOCK)
+        last = body->child_count ? body->children[body->child_count - 1] : NULL;
     return last && last->kind == IR_EXPRESSION ? stepped_up(last->children[0]) : NULL;
+}
+
+/* The variable that the loop steps. Whether it counts the iterations is decided by
+ * counted_recognise_analysed. */
+static ir_variable *counter_of(const ir_node *loop, const ir_node *condition) {
+    ir_variable *variable = stepped_at_end(loop);
+    if (!variable)
+        variable = stepped_inside(condition);
+    return variable ? variable : stepped_inside(ir_loop_body(loop));
 }
 
 /* ---- new nodes ------------------------------------------------------------------------------- */
 
-typedef struct maker {
-    arena *memory;
-    ir_function *function;
-    ir_range range; /* empty: the nodes have no text */
-} maker;
-
-static ir_node *make(const maker *m, ir_kind kind, const ir_type *type, unsigned children) {
-    ir_node *node = ir_new(m->memory, kind, type, children);
-    node->id = m->function->node_count++;
-    node->range = m->range;
-    return node;
-}
-
-static void adopt(ir_node *parent, unsigned number, ir_node *child) {
-    parent->children[number] = child;
-    child->parent = parent;
-}
-
 /* The limit: the greatest value of the counter's type, at most 2^60. No pointer reaches this. It
  * does not count as a constant, because the counter need not take all values below it. */
-static ir_node *limit_of(const maker *m, const ir_type *type) {
-    ir_node *number = make(m, IR_NUMBER, type, 0);
+static ir_node *limit_of(const node_maker *m, const ir_type *type) {
+    ir_node *number = new_node_of(m, IR_NUMBER, type, 0);
     const bool is_wide = type->kind == IR_POINTER || type->size == 8;
     number->text = is_wide ? "1152921504606846976" : type->is_signed ? "2147483647" : "4294967295u";
     if (type->kind != IR_POINTER)
         return number;
-    ir_node *address = make(m, IR_CAST, type, 1);
-    adopt(address, 0, number);
+    ir_node *address = new_node_of(m, IR_CAST, type, 1);
+    new_node_adopt(address, 0, number);
     return address;
 }
 
-static ir_node *comparison_of(const maker *m, ir_variable *counter, const ir_type *type) {
-    ir_node *compared = make(m, IR_BINARY, type, 2), *name = make(m, IR_VARIABLE, counter->type, 0);
+static ir_node *comparison_of(const node_maker *m, ir_variable *counter, const ir_type *type) {
+    ir_node *compared = new_node_of(m, IR_BINARY, type, 2),
+            *name = new_node_of(m, IR_VARIABLE, counter->type, 0);
     compared->op = IR_OP_LESS;
     name->variable = counter;
-    adopt(compared, 0, name);
-    adopt(compared, 1, limit_of(m, counter->type));
+    new_node_adopt(compared, 0, name);
+    new_node_adopt(compared, 1, limit_of(m, counter->type));
     return compared;
 }
 
 /* `if (!condition) continue;` as an exit. The empty statement stands for its text, which is in the
  * header. */
-static void add_exit(const maker *m, loop_exits *exits, open_loop *open, ir_node *block) {
-    ir_node *negation = make(m, IR_UNARY, open->condition->type, 1);
-    ir_node *rest = make(m, IR_IF, NULL, 2), *end = make(m, IR_CONTINUE, NULL, 0);
-    ir_node *statement = make(m, IR_EMPTY, NULL, 0);
-    negation->op = IR_OP_NOT;
-    negation->children[0] = open->condition;
-    open->negation = negation;
-    end->flags = IR_LEAVES;
-    adopt(rest, 0, negation);
-    adopt(rest, 1, end);
+static void add_exit(const node_maker *m, loop_exits *exits, open_loop *open, ir_node *block) {
+    ir_node *rest = new_jump_unless(m, open->condition, IR_CONTINUE);
+    ir_node *statement = new_node_of(m, IR_EMPTY, NULL, 0);
+    open->negation = rest->children[0];
+    rest->children[1]->flags = IR_LEAVES;
     rest->parent = block;
-    adopt(block, 0, statement);
+    new_node_adopt(block, 0, statement);
     for (unsigned i = exits->count++; i > 0; i--)
         exits->items[i] = exits->items[i - 1];
     exits->items[0] = (loop_exit){.statement = statement,
                                   .rest = rest,
-                                  .condition = negation,
-                                  .tested = negation,
+                                  .condition = open->negation,
+                                  .tested = open->negation,
                                   .holder = rest,
                                   .parent = block,
                                   .is_kept = !expression_is_plain(open->condition)};
@@ -113,35 +109,23 @@ static bool is_beyond_search(const ir_node *node) {
     return node->kind == IR_CALL || loop_exits_cannot_evaluate(node);
 }
 
-/* A block with the statements of the body, after room for the exit. */
-static ir_node *block_around(const maker *m, const ir_node *body, bool has_exit) {
-    const unsigned room = has_exit ? 1 : 0;
-    ir_node *block = make(m, IR_BLOCK, NULL, room + body->child_count);
-    block->range = body->range;
-    for (unsigned i = room; i < block->child_count; i++)
-        block->children[i] = body->children[i - room];
-    return block;
-}
-
-loop_exits *open_loop_find(arena *a, ir_function *function, ir_node *loop) {
+loop_exits *open_loop_find(arena *a, const source *text, ir_function *function, ir_node *loop) {
     ir_node *body = (ir_node *)ir_loop_body(loop);
-    if ((loop->kind != IR_FOR && loop->kind != IR_WHILE) || body->kind != IR_BLOCK)
+    if (loop->kind != IR_FOR && loop->kind != IR_WHILE)
         return NULL;
     ir_node **place = &loop->children[loop->kind == IR_FOR ? 1 : 0];
     const bool has_exit = (*place)->kind != IR_EMPTY;
-    ir_variable *counter = counter_of(loop);
+    ir_variable *counter = counter_of(loop, *place);
     loop_exits *exits = counter ? loop_exits_find(a, body) : NULL;
     if (!exits || exits->count + has_exit > LOOP_MOST_EXITS || exits->count + has_exit == 0)
         return NULL;
     open_loop *open = ARENA_NEW(a, open_loop);
     *open = (open_loop){.loop = loop, .place = place, .header = *place, .body = body};
-    open->condition = has_exit ? (ir_node *)expression_of(*place) : NULL;
-    if (has_exit && (ir_any(open->condition, is_beyond_search) ||
-                     variable_is_written_in(open->condition, counter)))
+    open->condition = has_exit ? (ir_node *)new_nodes_expression(*place) : NULL;
+    if (has_exit && ir_any(open->condition, is_beyond_search))
         return NULL;
-    const uint32_t begin = body->range.begin;
-    const maker m = {a, function, {begin, begin}};
-    open->block = block_around(&m, body, has_exit);
+    const node_maker m = new_nodes_for(a, function, *place, body);
+    open->block = new_block_around(&m, text, body, has_exit ? 1 : 0);
     open->block->parent = loop;
     if (has_exit)
         add_exit(&m, exits, open, open->block);
@@ -176,7 +160,7 @@ void open_loop_restore(const open_loop *open) {
     *open->place = open->header;
     set_body(open, open->body);
     for (unsigned i = open->condition ? 1 : 0; i < open->block->child_count; i++)
-        open->block->children[i]->parent = open->body;
+        open->block->children[i]->parent = open->body->kind == IR_BLOCK ? open->body : open->loop;
     if (open->condition)
         open->condition->parent = open->header == open->condition ? open->loop : open->header;
 }

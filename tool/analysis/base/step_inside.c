@@ -48,9 +48,18 @@ const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) 
     if (mentions(statement, variable) != 1 || writes(body, variable) != 1)
         return NULL;
     for (const ir_node *node = step; node != body; node = node->parent)
-        if (!expression_evaluates_parts(node->parent))
+        if (!expression_evaluates(node->parent, node))
             return NULL;
     return step;
+}
+
+bool may_continue_before(const ir_node *body, const ir_node *step) {
+    for (const ir_node *node = step; node != body; node = node->parent)
+        for (unsigned i = 0; node->parent->kind == IR_BLOCK && node->parent->children[i] != node;
+             i++)
+            if (ir_continues(node->parent->children[i]))
+                return true;
+    return false;
 }
 
 /* Does the node contain steps v++ or v--? Sets *has_other if a variable that is stepped in it

@@ -14,6 +14,9 @@ bool is_step_afterwards(const ir_node *node);
  *  variable after it. Otherwise NULL. */
 const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable);
 
+/** May a `continue` in the body skip the step? The step is one that lone_last_step finds. */
+bool may_continue_before(const ir_node *body, const ir_node *step);
+
 /** A copy of the lvalue, without a parent, in which v replaces each v++ and v--. Returns the lvalue
  *  itself if it has no such steps, or if its statement names one of these variables elsewhere
  *  too. */

@@ -128,15 +128,9 @@ bool source_ends_equal(const loop_source *a, const loop_source *b) {
 
 /* ---- in each iteration ----------------------------------------------------------------------- */
 
-/* Is this part evaluated exactly once whenever `parent` is? */
-static bool is_certain_part(const ir_node *parent, const ir_node *part) {
-    return expression_evaluates_parts(parent) ||
-           (parent->kind == IR_BINARY && parent->children[0] == part);
-}
-
 bool executed_certainly_in(const ir_node *outer, const ir_node *node) {
     for (; node != outer; node = node->parent)
-        if (!node->parent || !is_certain_part(node->parent, node))
+        if (!node->parent || !expression_evaluates(node->parent, node))
             return false;
     return true;
 }

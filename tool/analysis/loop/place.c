@@ -84,8 +84,9 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place) {
     return false;
 }
 
-/* Does `place` use the variable only in one step v++? Then the step finds the value that the
- * variable has at the beginning of `place`. */
+/* Does `place` use the variable only in one step v++, which it executes at most once? Then the step
+ * finds the value that the variable has at the beginning of `place`. A loop repeats its condition.
+ */
 static bool is_only_stepped(const loop_analysis *j, const ir_node *place,
                             const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
@@ -97,6 +98,10 @@ static bool is_only_stepped(const loop_analysis *j, const ir_node *place,
         if (ir_contains(place, use))
             only = use;
     }
+    for (const ir_node *up = only; up && up != place; up = up->parent)
+        if (ir_is_loop(up->parent) &&
+            !(up->parent->kind == IR_FOR && up == up->parent->children[0]))
+            return false;
     return only && only->parent && is_step_afterwards(only->parent);
 }
 

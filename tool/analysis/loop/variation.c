@@ -133,10 +133,12 @@ static bool is_in_for_header(const ir_node *write) {
     const ir_node *place = write;
     while (place->parent && place->parent->kind != IR_FOR && place->parent->kind != IR_BLOCK)
         place = place->parent;
-    return place->parent && place->parent->kind == IR_FOR && place->parent->children[3] != place;
+    return place->parent && place->parent->kind == IR_FOR && place->parent->children[1] != place &&
+           place->parent->children[3] != place;
 }
 
-/* Is the variable a counter? The loop must only step it, or set it in the header of a for. */
+/* Is the variable a counter? The loop must only step it, or set it in the header of a for. What the
+ * condition sets, as in for (...; (k = list[i]) >= 0; ...), is no counter. */
 static bool is_counter(const regularity *r, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(r->facts, variable);
     for (unsigned i = 0; i < fact->writes.count; i++) {

@@ -164,10 +164,9 @@ static bool has_write_in(variable_facts *facts, const ir_node *node, const ir_va
                          bool counts_reading_calls) {
     assert(facts->unit->variables[variable->id] == variable);
     const variable_fact *fact = &facts->facts[variable->id];
-    unsigned last = expression_last_id(node);
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
-        if (write->id >= node->id && write->id <= last && ir_contains(node, write) &&
+        if (ir_contains(node, write) && /* not by ids: those of new nodes are in no such order */
             (counts_reading_calls || !is_only_read(facts, write)))
             return true;
     }

@@ -246,11 +246,12 @@ static void choose_noted(body_copy *copy, const ir_node *node) {
 }
 
 /** Prints statements with calls of accessors (functions that return an element): each call is
- * written as that element. */
+ * written as that element. Also prints loops whose conditions were moved. */
 static void choose_accessors(body_copy *copy, const ir_node *node) {
-    if (node->flags & IR_FROM_CALL)
+    const bool is_changed = node->flags & (IR_FROM_CALL | IR_OPENED);
+    if (is_changed)
         print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
-    for (unsigned i = 0; !(node->flags & IR_FROM_CALL) && i < node->child_count; i++)
+    for (unsigned i = 0; !is_changed && i < node->child_count; i++)
         choose_accessors(copy, node->children[i]);
 }
 
