@@ -98,7 +98,10 @@ void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
     const char *remedy = remedies[reason];
     assert(remedy || reason == REASON_NONE);
     const double each = timed > 0 ? it->sequential.seconds / (double)timed : 0;
-    if (reason == REASON_SAVING && timed > 0)
+    if (reason == REASON_SAVING && timed > 0 && calls > repaid_after(each))
+        snprintf(text, REDCC_WHY, "a call takes %.3g ms; no method is expected to save time: %s",
+                 1e3 * each, remedy);
+    else if (reason == REASON_SAVING && timed > 0)
         snprintf(text, REDCC_WHY,
                  "executed %ld times for %.3g ms; a plan repays after some %ld: %s", calls,
                  1e3 * each * (double)calls, repaid_after(each), remedy);

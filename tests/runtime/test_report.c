@@ -229,6 +229,11 @@ static void a_sequential_loop_is_told_why(void **unused) {
     redcc_why_sequential(&it, why);
     assert_string_equal(why, "executed 22 times for 2.7 ms; a plan repays after some 41: raise the "
                              "work per call, or name a method");
+    atomic_store(&it.calls, 42);
+    atomic_store(&it.fallback[REASON_SAVING], 42);
+    redcc_why_sequential(&it, why);
+    assert_string_equal(why, "a call takes 0.123 ms; no method is expected to save time: raise the "
+                             "work per call, or name a method");
     atomic_store(&it.calls, 100);
     redcc_why_sequential(&it, why);
     assert_string_equal(why, "");
