@@ -6,13 +6,16 @@
 #include "plan/bins.h"
 #include "plan/lookup.h"
 
-/** Does the loop execute each statement in each iteration? */
-static bool is_straight(const ir_node *body) {
-    if (body->kind == IR_EXPRESSION || body->kind == IR_DECLARATION)
+/** Does each iteration execute each statement, and does the slice keep none? What a statement of
+ * the slice computes may depend on all iterations, and be used after the loop. */
+static bool is_straight(const loop_facts *facts, const ir_node *body) {
+    if (facts->slice.holds[body->id])
+        return false;
+    if (body->kind == IR_EXPRESSION || body->kind == IR_DECLARATOR)
         return true;
-    bool is_all = body->kind == IR_BLOCK;
+    bool is_all = body->kind == IR_BLOCK || body->kind == IR_DECLARATION;
     for (unsigned i = 0; is_all && i < body->child_count; i++)
-        is_all = is_straight(body->children[i]);
+        is_all = is_straight(facts, body->children[i]);
     return is_all;
 }
 
@@ -49,7 +52,7 @@ const char *read_ends_step(inspector *self, const ir_node *loop) {
     if (!self->loop->bins || facts->slice.exits || facts->forward_count > 0 ||
         !span_recognise((ir_node *)loop, &span) || span.counted.step != 1 ||
         span.stepped_count != 1 || span.other_count != 0 ||
-        span.counted.counter->type->kind != IR_INTEGER || !is_straight(span.counted.body) ||
+        span.counted.counter->type->kind != IR_INTEGER || !is_straight(facts, span.counted.body) ||
         !reads_at_counter(self, &span))
         return NULL;
     return arena_format(self->printer.arena, "REDCC_NEXT_READ(%s, %s%s)",
