@@ -67,6 +67,7 @@ int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands
     if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands)) {
         for (uint32_t s = 0; s < execution->state->binning.loop->stream_count; s++)
             bins[s].calls = worker->call->calls;
+        worker->variant = (redcc_variant){.follows = redcc_in_shares(&execution->call) ? 2 : 0};
         return REDCC_TO_PUSH;
     }
     if (thread->binner->phase != BINS_STRETCH) {

@@ -258,7 +258,7 @@ enum { REDCC_SUM_BLOCK = 64 };
      ((redcc_trip) % REDCC_SUM_BLOCK < 8 ? (redcc_trip) % REDCC_SUM_BLOCK : 8))
 /** Stores redcc__operand, the operand of iteration redcc_k. */
 #define REDCC_ADD_OPERAND(redcc_operands, redcc_k)                                                 \
-    if (redcc__checked == 3 /* REDCC_IN_COPIES */ || redcc__worker->variant.follows == 2) {        \
+    if (redcc__worker->variant.follows == 2) {                                                     \
         const redcc_word redcc__number = (redcc_word)(redcc_k);                                    \
         __typeof__(redcc__operand) *const redcc__sum =                                             \
             &(redcc_operands)[redcc__number / REDCC_SUM_BLOCK * 8 + redcc__number % 8];            \
