@@ -11,9 +11,9 @@
 #include "problem.h"
 #include "settings.h"
 
+#include <math.h>
 #include <omp.h>
 #include <sched.h>
-#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>

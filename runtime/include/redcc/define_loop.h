@@ -103,9 +103,13 @@ static redcc_site REDCC_THIS(_site) = {
 #endif
       1 + (REDCC_SOURCES) + (REDCC_KEYS), 0},
 #ifdef REDCC_STREAMS
-     REDCC_ARRAYS, 0, REDCC_THIS(_streams)},
+     REDCC_ARRAYS,
+     0,
+     REDCC_THIS(_streams)},
 #else
-     0, 0, 0},
+     0,
+     0,
+     0},
 #endif
     0};
 
