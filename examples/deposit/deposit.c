@@ -30,7 +30,8 @@ static float next_random(uint32_t *state) {
     return (float)(*state >> 8) / 16777216.0f;
 }
 
-/* Moves the particles to the left and upwards, with periodic borders. */
+/* Moves each particle a little towards lower x and y. One that has reached the border (x or y at
+ * most 1) re-enters at the opposite one. */
 static void move(int n, float *x, float *y) {
     for (int t = 0; t < n; t++) {
         x[t] = x[t] > 1 ? x[t] - 0.125f : SIDE - 2;

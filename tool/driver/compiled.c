@@ -18,8 +18,10 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
     return false;
 }
 
-/* Does the item name no file except headers and the object, and not depend on the machine? An
- * option that matches no list does not count as plain, except for -f options without a value. */
+/* May an object be kept in the cache if the command has this item? Inputs, and options of the
+ * linker and for dependency files, never prevent it. Any other option does if it may name a file
+ * other than headers and the object, or depend on the machine (-march=native). Unknown options
+ * prevent it, except for -f options without a value. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",

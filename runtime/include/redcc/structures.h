@@ -361,7 +361,8 @@ typedef struct redcc_worker {
     int outside;               /* the current iteration has a touch that made an entry */
     redcc_int alike; /* number of consecutive iterations, since the last flush, that touched only
                         the range; negative in a dry run */
-    /* this thread's copies of the sources' ranges; indexed as redcc_loop.sources */
+    /* for each source, indexed as redcc_loop.sources: the range that this thread has recorded as
+     * read (redcc_read). After REDCC_SELECT: the source's fence, which all threads share */
     redcc_extent *sources;
     /* set by redcc_next: the chunk */
     redcc_int origin;

@@ -449,7 +449,8 @@ typedef struct loop_slice {
                              * expression give the same bits */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
                          * trip count are unchanged (runtime: REDCC_VERIFIABLE) */
-    unkept_read unkept; /* if not is_verifiable, the first read that prevents it */
+    unkept_read unkept; /* if not is_verifiable, the first read that prevents it, or the condition
+                         * to leave the loop; without a name if neither is the cause */
 } loop_slice;
 
 /** The inspector: the code that executes the slice to record the rows that each iteration

@@ -44,10 +44,10 @@ const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *fun
 /** Are there conditional directives in the loop's text? */
 bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
-/** May a copy of the text omit the directive, and the text that it excludes? True for conditional
- *  directives, because a copy has only the compiled branches. Also true for pragmas that are not
- *  compiled or only make a loop faster, and for OpenMP pragmas that the compiler ignores or redcc
- *  replaces. */
+/** May a copy of the text omit the directive? True for conditional directives: a copy has only the
+ *  compiled branches, so it omits the text that they exclude, too. Also true for pragmas that are
+ *  not compiled (except push_macro and pop_macro), pragmas that only make a loop faster, and OpenMP
+ *  pragmas that the compiler ignores or redcc replaces. */
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
 
 /** Is it an OpenMP pragma in a compilation without OpenMP, which ignores it? */

@@ -24,7 +24,8 @@ static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     return false;
 }
 
-/* Do all variables in the expression keep one value throughout an iteration? */
+/* Do all variables in the expression keep one value throughout an iteration? Variables declared in
+ * the loop do not, since they have no value before. */
 static bool is_steady(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_VARIABLE && node->variable != j->counted.counter &&
         variable_written_in(j->an->facts, j->loop, node->variable))

@@ -60,8 +60,8 @@ enum divide_result {
     DIVIDE_BEYOND      /* there was a touch outside of the numbered units */
 };
 
-/** Begins a division. Group g is touched at most in touched[g], and there are about `touches`
- * touches in total. Checks whether the arrays can be divided, and allocates the threads' initial
+/** Begins a division. All touches of group g lie within touched[g], and there are about `touches`
+ * in total. Checks whether the arrays can be divided, and allocates the threads' initial
  * memory. Call redcc_divide_end in any case. */
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
                                       const struct range *touched, int threads, redcc_int trip,
