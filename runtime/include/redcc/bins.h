@@ -91,8 +91,12 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, const void *at) {
 }
 REDCC_INLINE redcc_chunk_bins redcc_chunk_bins_of(const redcc_bins *bins, redcc_u32 part,
                                                   redcc_u32 row_bytes) {
-    redcc_chunk_bins it = {*bins, (redcc_size)bins->copy[part], bins->span * row_bytes,
-                           (redcc_int)(~(redcc_word)0 >> 1), -(redcc_int)(~(redcc_word)0 >> 1) - 1};
+    redcc_chunk_bins it; /* C89 requires constant initialisers */
+    it.bins = *bins;
+    it.copy = (redcc_size)bins->copy[part];
+    it.bytes = bins->span * row_bytes;
+    it.lowest = (redcc_int)(~(redcc_word)0 >> 1);
+    it.highest = -(redcc_int)(~(redcc_word)0 >> 1) - 1;
     return it;
 }
 REDCC_INLINE void redcc_report_lacking(const redcc_chunk_bins *it, redcc_int row_bytes) {
