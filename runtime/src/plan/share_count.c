@@ -37,7 +37,7 @@ int redcc_share_count(const redcc_loop *loop, redcc_int trip, double updates, re
     const size_t most =
         memory_limit && memory_limit / 4 < most_bytes ? memory_limit / 4 : most_bytes;
     const double elements = (double)bytes / sizeof(double);
-    if (trip < LEAST_ITERATIONS && elements > updates / HEAVY)
+    if (trip < LEAST_ITERATIONS && elements > updates / (double)HEAVY)
         return 0;
     if (elements > updates || bytes > most)
         return 1;
