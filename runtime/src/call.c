@@ -267,7 +267,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     *reason = REASON_NO_MEMORY;
     const bool by_shares = redcc_in_shares(call) && threads < REDCC_MOST_SHARES;
     if (!redcc_threads_ensure(state, loop, by_shares ? REDCC_MOST_SHARES : threads))
-        return false; /* shares.c uses the buffers of as many binners as there are shares */
+        return false; /* each share uses the buffers of one binner (bins/shares.c) */
     call->asked = call->threads = threads;
     if (!alone)
         call->planned = threads;

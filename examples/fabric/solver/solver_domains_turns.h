@@ -31,9 +31,9 @@ void domain_turns_begin(domain_turn *turn, int count);
 /** A thread spins at most this number of times before it sleeps, about 50 us. */
 enum { DOMAIN_TURN_MOST_SPINS = 2048 };
 
-/** Returns the number of spins before the next sleep, after a sleep of `asleep` s: a half after a
- *  long one, because the awaited thread may have no core, and twice as many after a short one. So
- *  one busy moment does not make a thread sleep for the rest of the run. */
+/** Returns the number of spins before the next sleep, after a sleep of `asleep` s. A long sleep
+ *  halves the number `now`, because the awaited thread may have no core. A short one doubles it, so
+ *  that one busy moment does not make a thread sleep for the rest of the run. */
 int domain_turn_next_spins(int now, double asleep);
 
 /** Waits until all neighbours of the domain have completed this pass. turn: [domains] */

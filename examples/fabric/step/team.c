@@ -16,7 +16,7 @@ static const double share = 0.02, margin = 1.5, gain = 0.97;
 /* Weight of a new round in the exponential moving averages. */
 static const double weight = 0.3;
 /* Trials of fewer threads become rarer while they fail: each failure doubles what the next one is
- * charged, at most so many times. When such a trial is urgent, rounds have become slower. */
+ * charged, at most MOST_DOUBLINGS times. When such a trial is urgent, rounds have become slower. */
 enum { MOST_DOUBLINGS = 2 };
 /* Number of rounds before the first trial: the first rounds also allocate memory and inspect
  * loops. */

@@ -65,7 +65,7 @@ struct binner {
     redcc_extent *sources; /* [source_count] ranges recorded by redcc_read in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] the thread's records of each stream */
     const struct binner *holder; /* its buffers are those that the thread's iterations use. It is
-                                    the binner itself, but for shares */
+                                    the binner itself, except in shares */
 };
 
 /** What is known of a stream; remembered for later executions. */
@@ -122,7 +122,7 @@ struct bins_trial {
 struct private_copies {
     int count;        /* their number in this execution; 0: it uses records */
     bool are_denied;  /* the guard failed with private copies; records, whose ranges are more
-                         precise,  may pass */
+                         precise, may pass */
     bool are_neutral; /* the last merge has made all copies neutral, and nothing has changed them */
     bool need_filling; /* in this execution */
 };
