@@ -65,3 +65,13 @@ void clipped(int n, const int *restrict k, const double (*restrict x)[2], double
         a[k[t]] += g[0];
     }
 }
+
+void over_lists(int n, const int *first, const int *partner, const double (*restrict x)[3],
+                double (*restrict f)[3]) {
+    for (int t = 0; t < n; t++)
+        for (int p = first[t]; p < first[t + 1]; p++)
+            for (int c = 0; c < 3; c++) {
+                f[t][c] += x[partner[p]][c];
+                f[partner[p]][c] -= x[t][c];
+            }
+}
