@@ -56,9 +56,11 @@ static double room_for(const struct choice *c, enum way way) {
 
 /* May the strategy be executed with the present credit? A strategy that is clearly faster may run
  * while the credit is negative, because it repays the debt. But its executions together must have
- * gained time since the credit became negative. So one slow execution does not end its use. */
+ * gained time since the credit became negative. So one slow execution does not end its use. Page
+ * faults make a first execution slow: if it gained nevertheless, a second one may follow. */
 static bool may_execute(const struct choice *c, enum way way) {
-    const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
+    const bool is_second = c->size->arm[way].timed.count == 1;
+    const bool repays = c->size->gained > 0 && !is_trial(c, way) && (is_clear(c, way) || is_second);
     return repays || room_for(c, way) >= 0;
 }
 
