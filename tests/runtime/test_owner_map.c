@@ -202,6 +202,65 @@ static void some_have_none(void **unused) {
     end(&fixture);
 }
 
+/* ---- cells of particles ---------------------------------------------------------------------- */
+
+enum { SIDE = 12, SLOTS = 8, EACH_SEVENTH = 7 };
+
+static double energy[SIDE * SIDE * SIDE * SLOTS], force[SIDE * SIDE * SIDE * SLOTS][3];
+
+/* Adds the touches of a cell's iteration: the rows of its particles and of those in all adjacent
+ * cells; of the energies only those in the cells below. */
+static void add_touches(struct sample *sample, int cell) {
+    const int z = cell / (SIDE * SIDE), y = cell / SIDE % SIDE, x = cell % SIDE;
+    for (int near = 0; near < 27; near++) {
+        const int at[3] = {x + near % 3 - 1, y + near / 3 % 3 - 1, z + near / 9 - 1};
+        bool is_inside = true;
+        for (int axis = 0; axis < 3; axis++)
+            is_inside = is_inside && at[axis] >= 0 && at[axis] < SIDE;
+        const int row = is_inside ? (at[0] + SIDE * (at[1] + SIDE * at[2])) * SLOTS : 0;
+        for (int particle = 0; is_inside && particle < 2; particle++) {
+            if (near < 9)
+                redcc_sample_add(sample, (uintptr_t)&energy[row + particle], 0, 1, 0);
+            redcc_sample_add(sample, (uintptr_t)force[row + particle], 1, 1, 0);
+        }
+    }
+    redcc_sample_next_iteration(sample);
+}
+
+/* Only each seventh cell is sampled, so votes are few and vary. The owners' parts are consecutive
+ * nevertheless, and the same in both arrays. */
+static void borders_are_smooth(void **unused) {
+    (void)unused;
+    static const redcc_array arrays[] = {{"energy", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0},
+                                         {"force", REDCC_SUM, REDCC_DOUBLE, 8, 24, 0}};
+    const redcc_loop loop = {.arrays = arrays, .array_count = 2};
+    const int cells = SIDE * SIDE * SIDE;
+    for (uint32_t owners = 2; owners <= 7; owners++) {
+        struct fixture fixture;
+        void *bases[] = {energy, force};
+        assert_true(redcc_sample_begin(&fixture.sample, 27 * 4 * (size_t)cells, 0));
+        for (int cell = (int)owners % EACH_SEVENTH; cell < cells; cell += EACH_SEVENTH)
+            add_touches(&fixture.sample, cell);
+        fixture.samples[0] = &fixture.sample;
+        const struct range touched[] = {{(uintptr_t)energy, (uintptr_t)(energy + cells * SLOTS)},
+                                        {(uintptr_t)force, (uintptr_t)(force + cells * SLOTS)}};
+        assert_true(redcc_partition_begin(&fixture.partition, &loop, bases, owners));
+        redcc_owner_map_vote(&fixture.partition, touched, fixture.samples, 1);
+        assert_non_null(fixture.partition.map.owner);
+        uint32_t changes = 0, before = 0;
+        for (int row = 0; row < cells * SLOTS; row++) {
+            const uint32_t owner =
+                redcc_mapped_owner(&fixture.partition, 0, (uintptr_t)&energy[row]);
+            assert_int_equal(redcc_mapped_owner(&fixture.partition, 1, (uintptr_t)force[row]),
+                             owner);
+            changes += owner != before;
+            before = owner;
+        }
+        assert_int_equal(changes, owners - 1);
+        end(&fixture);
+    }
+}
+
 /* ---- the loop -------------------------------------------------------------------------------- */
 
 static struct problem strip_problem(void) {
@@ -353,6 +412,7 @@ int main(void) {
         cmocka_unit_test(owners_move_with_the_arrays),
         cmocka_unit_test(a_cut_is_one_of_the_best),
         cmocka_unit_test(some_have_none),
+        cmocka_unit_test(borders_are_smooth),
         cmocka_unit_test(same_bits_for_any_owners),
         cmocka_unit_test(owners_are_kept),
         cmocka_unit_test(memory_fails_anywhere),

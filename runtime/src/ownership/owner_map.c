@@ -7,20 +7,23 @@
 #include <string.h>
 
 enum {
-    TOUCHES_A_BLOCK = 4, /* smallest number of sampled touches per block; with fewer, the majority
-                            would be uncertain */
-    LEAST_BLOCKS = 64,   /* each group may have at least this number of blocks */
-    TOUCHES_OF_A_CHANGE = 8192, /* the price of a change of owners between adjacent blocks, in
-                                   votes, is the number of touches divided by this */
-    VOTES_MOST = 1 << 22,       /* limit of blocks * owners * TOUCHES_A_BLOCK */
-    BLOCK_MOST = 1 << 30,       /* maximum size of a block in bytes */
-    UNITS_MOST = 1 << 20        /* maximum number of units of a group in the extended map */
+    TOUCHES_A_BLOCK = 4,  /* smallest number of sampled touches per block; with fewer, the majority
+                             would be uncertain */
+    LEAST_BLOCKS = 64,    /* each group may have at least this number of blocks */
+    PRICE = 8,            /* the votes that a change of owners between adjacent blocks costs.
+                             Suppose that blocks have 2 votes of 3 for their owner, and one
+                             change in 200 blocks is right: then it is ln 200 / ln 2 */
+    VOTES_MOST = 1 << 22, /* limit of blocks * owners * TOUCHES_A_BLOCK */
+    BLOCK_MOST = 1 << 30, /* maximum size of a block in bytes */
+    UNITS_MOST = 1 << 20  /* maximum number of units of a group in the extended map */
 };
 
 /* The votes for each block, and the state of the election. */
 struct poll {
     uint32_t owners;
-    uint32_t *votes;     /* [blocks * owners] */
+    uint32_t *votes; /* [blocks * owners] */
+    uint32_t *voter; /* [blocks] number of the last iteration that voted on the block; 0: none */
+    uint32_t *like;  /* [array_count] the group whose votes decide for this group */
     unsigned char *from; /* [blocks * owners] for block b and owner o: the owner that the block
                             before b has in the best map in which b has owner o */
     uint64_t *most; /* [owners] for owner o: the value of the best map, up to the current block, in
@@ -90,24 +93,56 @@ static size_t iteration_end(const struct sample *sample, size_t begin) {
     return end;
 }
 
+/* Do the blocks of two groups consist of the same rows, by number? */
+static bool are_alike(const struct partition *partition, uint32_t a, uint32_t b) {
+    const struct group_map *of = partition->map.of;
+    const uint32_t unit_a = partition->arrays[a].unit, unit_b = partition->arrays[b].unit;
+    return of[a].count == of[b].count && of[a].bytes / unit_a == of[b].bytes / unit_b &&
+           of[a].first / (ptrdiff_t)unit_a == of[b].first / (ptrdiff_t)unit_b;
+}
+
+/* Lets groups whose blocks are alike vote together, so that a row has the same owner in each of
+ * them: an iteration usually touches the same rows of such arrays, as of atoms' forces and
+ * energies. */
+static void find_alike(const struct partition *partition, struct poll *poll) {
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        uint32_t like = 0;
+        while (!are_alike(partition, like, group))
+            like++; /* at most to the group itself */
+        poll->like[group] = like;
+    }
+}
+
+/* Counts a vote for the owner of iteration number `iteration`, unless the iteration has voted on
+ * this block before. */
+static void cast_vote(const struct partition *partition, struct poll *poll,
+                      const struct sampled *item, uint32_t iteration, size_t owner) {
+    const uint32_t group = partition->group_of[item->array], like = poll->like[group];
+    const size_t block = unit_at(partition, group, item->address) - partition->map.of[group].begin +
+                         partition->map.of[like].begin;
+    if (poll->voter[block] == iteration)
+        return;
+    poll->voter[block] = iteration;
+    poll->votes[block * poll->owners + owner]++;
+}
+
 /* Divides the iterations into consecutive parts, one per owner, with equal numbers of touches
- * (`all` is the total number). Each touch is a vote for the owner of its iteration's part. */
+ * (`all` is the total number). Each iteration votes, once for each block that it touches, for the
+ * owner of its part. */
 static void cast_votes(const struct partition *partition, const struct sample *const *samples,
                        int threads, size_t all, struct poll *poll) {
     size_t before = 0;
+    uint32_t iteration = 0;
     for (int thread = 0; thread < threads; thread++) {
         const struct sample *sample = samples[thread];
         for (size_t begin = 0, end; begin < sample->count; begin = end) {
             end = iteration_end(sample, begin);
             const uint64_t middle = before + (end - begin) / 2;
             before += end - begin;
-            const size_t owner = (size_t)(middle * poll->owners / all);
-            for (size_t i = begin; i < end; i++) {
-                const struct sampled *item = &sample->item[i];
-                const size_t block =
-                    unit_at(partition, partition->group_of[item->array], item->address);
-                poll->votes[block * poll->owners + owner]++;
-            }
+            iteration++;
+            for (size_t i = begin; i < end; i++)
+                cast_vote(partition, poll, &sample->item[i], iteration,
+                          (size_t)(middle * poll->owners / all));
         }
     }
 }
@@ -120,17 +155,16 @@ static uint32_t best_of(const struct poll *poll) {
 }
 
 /* Chooses the owners of a group's blocks by Viterbi's algorithm (1967): they maximise the number of
- * votes, minus `price` for each change of owners between adjacent blocks. Without the price, owners
+ * votes, minus PRICE for each change of owners between adjacent blocks. Without the price, owners
  * would alternate at random where votes are nearly even. */
-static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it,
-                  uint64_t price) {
+static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it) {
     const size_t owners = poll->owners;
     for (size_t o = 0; o < owners; o++)
-        /* begins with `price` for each owner, so that no value becomes negative */
-        poll->most[o] = price;
+        /* begins with PRICE for each owner, so that no value becomes negative */
+        poll->most[o] = PRICE;
     for (size_t block = it->begin; block < it->begin + it->count; block++) {
         const uint32_t best = best_of(poll);
-        const uint64_t changed = poll->most[best] - price;
+        const uint64_t changed = poll->most[best] - PRICE;
         for (size_t o = 0; o < owners; o++) {
             const bool stays = poll->most[o] >= changed;
             poll->from[block * owners + o] = (unsigned char)(stays ? o : best);
@@ -144,17 +178,36 @@ static void elect(unsigned char *owner, const struct poll *poll, const struct gr
     }
 }
 
-static bool begin_poll(struct poll *poll, size_t blocks) {
+static bool begin_poll(struct poll *poll, const struct partition *partition, size_t blocks) {
     poll->votes = redcc_memory_alloc_zeroed(blocks * poll->owners, sizeof *poll->votes);
+    poll->voter = redcc_memory_alloc_zeroed(blocks, sizeof *poll->voter);
+    poll->like = redcc_memory_alloc(partition->array_count * sizeof *poll->like);
     poll->from = redcc_memory_alloc(blocks * poll->owners);
     poll->most = redcc_memory_alloc(poll->owners * sizeof *poll->most);
-    return poll->votes && poll->from && poll->most;
+    const bool enough = poll->votes && poll->voter && poll->like && poll->from && poll->most;
+    if (enough)
+        find_alike(partition, poll);
+    return enough;
 }
 
 static void end_poll(struct poll *poll) {
     redcc_memory_free(poll->votes);
+    redcc_memory_free(poll->voter);
+    redcc_memory_free(poll->like);
     redcc_memory_free(poll->from);
     redcc_memory_free(poll->most);
+}
+
+/* Chooses the owners of all groups' blocks. */
+static void elect_all(const struct partition *partition, const struct poll *poll) {
+    const struct owner_map *map = &partition->map;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        const struct group_map *it = &map->of[group], *like = &map->of[poll->like[group]];
+        if (it == like)
+            elect(map->owner, poll, it);
+        else
+            memcpy(map->owner + it->begin, map->owner + like->begin, it->count);
+    }
 }
 
 void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
@@ -169,11 +222,12 @@ void redcc_owner_map_vote(struct partition *partition, const struct range *touch
     const uint32_t count = all > 0 && poll.owners <= REDCC_OWNERS_MOST
                                ? number_all(map, partition, touched, all, poll.owners)
                                : 0;
-    map->owner = count > 0 && begin_poll(&poll, count) ? redcc_memory_alloc(count) : NULL;
-    if (map->owner)
+    map->owner =
+        count > 0 && begin_poll(&poll, partition, count) ? redcc_memory_alloc(count) : NULL;
+    if (map->owner) {
         cast_votes(partition, samples, threads, all, &poll);
-    for (uint32_t group = 0; map->owner && group < partition->array_count; group++)
-        elect(map->owner, &poll, &map->of[group], all / TOUCHES_OF_A_CHANGE + 1);
+        elect_all(partition, &poll);
+    }
     end_poll(&poll);
     if (!map->owner)
         redcc_owner_map_end(map);
