@@ -251,8 +251,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     } while (0)
 /** In a loop that is executed in a fixed order, the operands of REDCC_SUM_BLOCK iterations are
  * added up to 8 sums, which replace the first operands of the block: every eighth operand to the
- * same sum, so that an addition need not wait for the one before it. Shares begin with a block. */
-enum { REDCC_SUM_BLOCK = 64 };
+ * same sum, so that an addition need not wait for the one before it. */
 #define REDCC_SUM_COUNT(redcc_trip)                                                                \
     ((redcc_trip) / REDCC_SUM_BLOCK * 8 +                                                          \
      ((redcc_trip) % REDCC_SUM_BLOCK < 8 ? (redcc_trip) % REDCC_SUM_BLOCK : 8))

@@ -241,6 +241,10 @@ enum {
     REDCC_TO_EXECUTE = 2
 };
 
+/** In a loop that is executed in shares, the operands of a block of so many iterations are added up
+ * (REDCC_ADD_OPERAND). Shares begin with a block. */
+enum { REDCC_SUM_BLOCK = 64 };
+
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
  * (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
