@@ -614,8 +614,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
 int redcc_end(redcc_call *call) {
     struct execution *execution = call->execution;
     const bool done = redcc_account(execution), asks_auto = !execution->call.method;
-    /* when a loop is repeated for validation, its operands are stored in the order of the loop */
-    const bool fixed = redcc_is_fixed(&execution->call) && execution->run.executed == 0;
+    const bool in_blocks = execution->run.executed == 0 && /* not repeated for validation */
+                           redcc_call_operands(&execution->call) == REDCC_OPERANDS_IN_BLOCKS;
     const redcc_int trip = execution->call.request.asked;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
@@ -634,5 +634,5 @@ int redcc_end(redcc_call *call) {
         time_original(call->loop, trip, execution->call.request.known);
     end(execution->state);
     errno = error ? error : error_before;
-    return done ? 1 + fixed : 0;
+    return !done ? 0 : in_blocks ? REDCC_DONE_IN_BLOCKS : REDCC_DONE;
 }

@@ -65,4 +65,11 @@ static inline bool redcc_is_fixed(const struct call *call) {
     return call->request.sections || redcc_in_shares(call);
 }
 
+/** What the threads do with operands of scalars while they execute the loop in the order that the
+ * call keeps (redcc_variant.operands). Iterations that are executed in order, or repeated for
+ * validation, have REDCC_OPERANDS_ONE_BY_ONE. */
+static inline int redcc_call_operands(const struct call *call) {
+    return redcc_is_fixed(call) ? REDCC_OPERANDS_IN_BLOCKS : REDCC_OPERANDS_ONE_BY_ONE;
+}
+
 #endif
