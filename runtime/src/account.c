@@ -274,7 +274,7 @@ static void account_execution(struct execution *execution, double now) {
     trace_execution(execution, now);
     if (!execution->call.method)
         inform_auto(execution, now);
-    if (execution->call.request.sections) {
+    if (redcc_in_sections(&execution->call)) {
         execution->run.plan->copies.is_neutral = true;
         redcc_sections_timed(&execution->state->sections, plan->trip, execution->call.threads,
                              now - execution->call.entered);

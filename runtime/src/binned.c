@@ -4,6 +4,7 @@
 
 #include "base/clock.h"
 
+#include <assert.h>
 #include <errno.h>
 
 /* Called after the last round. From then on redcc_next hands out, to the first thread only, the
@@ -14,6 +15,8 @@ static void end(struct thread_state *thread, redcc_worker *worker) {
     const redcc_int trip = execution->call.request.trip;
     const redcc_int binned = binning->round.begin;
     const bool begun = binned > 0;
+    /* else operands in blocks would be mixed with others */
+    assert(!redcc_in_shares(&execution->call) || !begun || binned == trip);
     if (thread->thread == 0 && begun && execution->run.validation.began)
         redcc_run_check(worker, binned);
     else
@@ -67,7 +70,7 @@ int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands
     if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands)) {
         for (uint32_t s = 0; s < execution->state->binning.loop->stream_count; s++)
             bins[s].calls = worker->call->calls;
-        worker->variant = (redcc_variant){.follows = redcc_in_shares(&execution->call) ? 2 : 0};
+        worker->variant = (redcc_variant){.operands = redcc_call_operands(&execution->call)};
         return REDCC_TO_PUSH;
     }
     if (thread->binner->phase != BINS_STRETCH) {

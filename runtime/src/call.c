@@ -11,84 +11,14 @@
 #include "base/signals.h"
 #include "base/team.h"
 #include "base/trace.h"
-#include "bins/shares.h"
+#include "call_settings.h"
 #include "library.h"
 #include "plan/share_count.h"
-#include "settings.h"
 #include "unmade.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <string.h>
-
-/* Stops the program if an order named explicitly contradicts the named method. */
-static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
-    const redcc_order order = redcc_order_of(loop, settings);
-    if (!settings->method || settings->method->keeps <= order ||
-        !(settings->order_given || loop->flags & REDCC_ORDER_EXPLICIT))
-        return;
-    redcc_stop("REDCC_METHOD=%s cannot keep order %s, which %s asks for (%s:%d); it gives order %s",
-               settings->method->name, redcc_order_name(order),
-               settings->order_given ? "REDCC_ORDER" : "the translated loop", loop->file,
-               loop->line, redcc_order_name(settings->method->keeps));
-}
-
-/* Do the settings require other bits than those of the sequential loop (another order of the
- * contributions, or compensated sums)? Then the bits must be the same in every execution. So even a
- * single thread executes by a plan, also within a parallel region and while other threads execute
- * the loop. */
-static bool is_always_planned(const struct settings *settings) {
-    return settings->compensated ||
-           (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
-}
-
-/* The method that is used in place of auto; NULL: auto. Compensated sums use LOCALWRITE by default:
- * one thread adds to each element, in the order of the loop. */
-static const struct method *method_of(const struct settings *settings) {
-    if (!settings->method && settings->compensated)
-        return &redcc_method_localwrite;
-    return settings->method;
-}
-
-/* May a single thread execute the loop by a plan or in bins? It may if binning is named, or if the
- * loop has a vector form (lanes), which may be faster than the sequential loop. */
-static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
-    enum lanes_reason unused;
-    const bool in_bins = settings->method && settings->method->in_bins;
-    return in_bins || redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0;
-}
-
-/* Was the method chosen by settings_of_call, because the program leaves the order open? */
-static bool is_chosen_for_order(const struct settings *settings) {
-    return settings->method == &redcc_method_sections || settings->method == &redcc_method_shares;
-}
-
-/* A reason against running in parallel that does not depend on the loop's data, or REASON_NONE. */
-static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
-                                 int threads, int nested, bool forked) {
-    if (settings->method && loop->flags & REDCC_ORDER_NEEDED && !is_chosen_for_order(settings) &&
-        settings->method->keeps != REDCC_ORDER_SERIAL)
-        return REASON_ORDER_NEEDED;
-    if (loop->flags & REDCC_MAY_ABORT && !redcc_assertions_abort())
-        return REASON_ASSERTION;
-    const bool in_bins = settings->method && settings->method->in_bins;
-    if (loop->flags & REDCC_NO_INSPECTOR && !in_bins && (settings->method || settings->compensated))
-        return REASON_NO_INSPECTOR;
-    if (is_always_planned(settings))
-        return REASON_NONE;
-    if (in_bins && !redcc_binned_of(loop))
-        return REASON_NO_BINS;
-    if (settings->method && settings->method->selects && !(loop->flags & REDCC_SELECTS))
-        return REASON_NO_SELECTION;
-    if (settings->method && settings->method->tiles &&
-        (!(loop->flags & REDCC_TILES) || settings->compensated))
-        return REASON_NO_TILES;
-    if (forked)
-        return REASON_FORKED;
-    if (nested)
-        return REASON_NESTED;
-    return threads < 2 && !one_will_do(loop, settings) ? REASON_ONE_THREAD : REASON_NONE;
-}
 
 static int serially(struct loop_state *state, enum reason reason) {
     redcc_count_fallback(state, reason);
@@ -135,7 +65,7 @@ redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks) {
  * its duration is unknown, as before the first execution or with an inspection. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
-    const bool is_inspected = !execution->call.in_bins && !execution->call.request.sections;
+    const bool is_inspected = !execution->call.in_bins && !redcc_in_sections(&execution->call);
     return statistics->in_loops == 0 || (is_inspected && !execution->reuse.found) ||
            statistics->execute_seconds * (double)execution->call.request.trip >
                1e-3 * (double)statistics->in_loops;
@@ -157,71 +87,6 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->known, known, loop->source_count * sizeof *known);
     if (loop->key_count)
         memcpy(request->key, key, loop->key_count * sizeof *key);
-}
-
-/* May the loop be executed in an order that is fixed, but is not its own? */
-static bool may_be_fixed(const redcc_loop *loop, const struct settings *settings) {
-    return redcc_order_of(loop, settings) != REDCC_ORDER_SERIAL && !settings->method &&
-           !settings->compensated;
-}
-
-/* Is the loop executed in shares with private copies? What earlier executions have found may be
- * read before the state is acquired: no other thread executes such a loop (redcc_is_alone). */
-static bool goes_in_shares(redcc_loop *loop, const struct settings *settings, redcc_int trip) {
-    const redcc_binned *binned = redcc_binned_of(loop);
-    if (!binned || !binned->is_unordered)
-        return false;
-    const struct loop_state *state = redcc_made_state_of(loop);
-    return (state ? redcc_bins_shares(&state->binning, trip, settings->memory_limit)
-                  : redcc_share_count(loop, trip, redcc_updates(loop, trip), 1,
-                                      settings->memory_limit)) > 1;
-}
-
-/* The settings of a call. If the order is fixed, but not that of the loop, they are *own, as if a
- * method for that were named. Sets *sections to NULL unless the method is `sections`. */
-static const struct settings *settings_of_call(redcc_loop *loop, const struct settings *settings,
-                                               redcc_int trip, void *const *bases,
-                                               const redcc_extent **sections,
-                                               struct settings *own) {
-    const bool fixed = may_be_fixed(loop, settings);
-    const int shares = fixed && *sections ? redcc_sections_shares(loop, trip, bases, *sections,
-                                                                  settings->memory_limit)
-                                          : 0;
-    *own = (struct settings){0};
-    if (shares > 1) {
-        *own = *settings;
-        own->method = &redcc_method_sections;
-        own->parameter = shares;
-        return own;
-    }
-    *sections = NULL;
-    if (!fixed || !goes_in_shares(loop, settings, trip))
-        return settings;
-    *own = *settings;
-    own->method = &redcc_method_shares;
-    own->parameter = BINS_SHARES;
-    return own;
-}
-
-static void take_settings(struct call *call, const struct settings *settings, int error_before) {
-    const redcc_loop *loop = call->request.loop;
-    call->method = method_of(settings);
-    call->parameter = settings->parameter;
-    call->in_bins = call->method && call->method->in_bins;
-    call->order = redcc_order_of(loop, settings);
-    if (call->method && call->method->keeps > call->order)
-        call->order = call->method->keeps;
-    call->compensated = settings->compensated;
-    call->validate = settings->validate;
-    call->prefetch = (int)settings->prefetch;
-    call->lanes = (int)settings->lanes;
-    call->tracks = settings->watch;
-    call->memory_limit = settings->memory_limit;
-    call->always_planned = is_always_planned(settings);
-    call->one_will_do = call->always_planned || one_will_do(loop, settings);
-    call->entered = redcc_seconds();
-    call->float_control = redcc_float_control();
-    call->error_before = error_before;
 }
 
 static struct advice advice_for(struct execution *execution, int threads) {
@@ -294,10 +159,10 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
 
 /* The number of threads to request. With compensated sums the sequential loop is never timed, so
  * that auto cannot compare; a short loop then gets one thread. */
-static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
+static int threads_to_ask_for(const struct loop_state *state, const struct call_settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
-    return settings->compensated && !settings->method
+    return settings->common->compensated && !settings->method
                ? redcc_advise_threads(trip, threads, statistics->execute_seconds,
                                       statistics->in_loops)
                : threads;
@@ -333,10 +198,11 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
 
 /* Can the call proceed without a state? A loop without a state runs unchanged. It gets a state once
  * it has taken long enough, or at once if the settings request more than speed. */
-static bool needs_no_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
+static bool needs_no_state(const struct call_settings *settings, redcc_loop *loop, redcc_int trip,
                            const redcc_extent *known, bool may_gain) {
+    const struct settings *common = settings->common;
     if (redcc_made_state_of(loop) || (may_gain && redcc_advise_at_once(loop, trip)) ||
-        settings->method || settings->compensated || settings->validate || settings->report ||
+        settings->method || common->compensated || common->validate || common->report ||
         redcc_traced)
         return false;
     if (may_gain && !redcc_within && redcc_unmade_call(&loop->state, trip))
@@ -468,18 +334,6 @@ static int hand_over(struct execution *execution, redcc_call *call) {
     return 1;
 }
 
-/* A reason to run sequentially that applies before the loop is acquired. */
-static enum reason reason_at_once(struct loop_state *state, const redcc_loop *loop,
-                                  const struct settings *settings, int threads, int nested,
-                                  bool forked) {
-    if (redcc_is_serial(settings->method))
-        return REASON_NAMED;
-    const enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
-    if (reason != REASON_NONE && !settings->method)
-        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
-    return reason;
-}
-
 static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                  const redcc_extent *known, const redcc_word *key, const redcc_extent *sections,
                  int threads, int nested) {
@@ -488,12 +342,9 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     /* must precede any use of memory allocated by the parent process */
     const bool forked = redcc_is_forked();
     set_original(NULL);
-    const struct settings *settings = redcc_settings_for(loop);
-    stop_at_contradiction(loop, settings);
-    struct settings own;
-    settings = settings_of_call(loop, settings, trip, bases, &sections, &own);
-    const bool may_gain = !nested && (threads > 1 || one_will_do(loop, settings));
-    if (trip > 0 && needs_no_state(settings, loop, trip, known, may_gain))
+    const struct call_settings settings = redcc_settings_of_call(loop, trip, bases, sections);
+    const bool may_gain = !nested && (threads > 1 || redcc_one_will_do(loop, &settings));
+    if (trip > 0 && needs_no_state(&settings, loop, trip, known, may_gain))
         return 0;
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
@@ -501,21 +352,25 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0)
         return 0;
-    enum reason reason = reason_at_once(state, loop, settings, threads, nested, forked);
+    enum reason reason = redcc_reason_not_to(loop, &settings, threads, nested, forked);
+    if (reason != REASON_NONE && !settings.method)
+        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
         return serially(state, reason);
-    const bool always = is_always_planned(settings);
+    const bool always = redcc_is_always_planned(settings.method, settings.common->compensated);
     if (redcc_within && !always)
         return serially(state, REASON_NESTED);
     struct loop_state *held = redcc_loop_acquire(state, loop, always, &reason);
     if (!held)
         return serially(state, reason);
     struct execution *execution = &held->execution;
-    const bool asks_auto = !always && !settings->method;
+    const bool asks_auto = !always && !settings.method;
     if (asks_auto && is_backed_off(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
-    take_settings(&execution->call, settings, error_before);
-    execution->call.request.sections = sections;
+    redcc_take_settings(&execution->call, &settings);
+    execution->call.entered = redcc_seconds();
+    execution->call.float_control = redcc_float_control();
+    execution->call.error_before = error_before;
     if (redcc_float_traps(execution->call.float_control)) {
         redcc_loop_release(held);
         return serially(state, REASON_TRAPS);
@@ -528,7 +383,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         return serially(state, REASON_ALLOCATOR);
     threads = redcc_is_fixed(&execution->call)
                   ? redcc_sections_threads(&held->sections, trip, threads)
-                  : threads_to_ask_for(held, settings, trip, threads);
+                  : threads_to_ask_for(held, &settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
         const bool timed = asks_auto && execution->advice.timed;
@@ -575,8 +430,10 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
         /* with one thread, only a dry run takes so long that a user may be waiting for its end */
         if (!execution->advice.alone || redcc_is_fixed(&execution->call) || is_dry)
-            redcc_within_relax(&execution->within, execution->call.always_planned,
-                               is_long(execution));
+            redcc_within_relax(
+                &execution->within,
+                redcc_is_always_planned(execution->call.method, execution->call.compensated),
+                is_long(execution));
     }
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
@@ -614,8 +471,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
 int redcc_end(redcc_call *call) {
     struct execution *execution = call->execution;
     const bool done = redcc_account(execution), asks_auto = !execution->call.method;
-    /* when a loop is repeated for validation, its operands are stored in the order of the loop */
-    const bool fixed = redcc_is_fixed(&execution->call) && execution->run.executed == 0;
+    const bool in_blocks = execution->run.executed == 0 && /* not repeated for validation */
+                           redcc_call_operands(&execution->call) == REDCC_OPERANDS_IN_BLOCKS;
     const redcc_int trip = execution->call.request.asked;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
@@ -634,5 +491,5 @@ int redcc_end(redcc_call *call) {
         time_original(call->loop, trip, execution->call.request.known);
     end(execution->state);
     errno = error ? error : error_before;
-    return done ? 1 + fixed : 0;
+    return !done ? 0 : in_blocks ? REDCC_DONE_IN_BLOCKS : REDCC_DONE;
 }

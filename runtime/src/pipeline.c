@@ -26,10 +26,10 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     reuse->found = NULL;
-    if (execution->call.request.sections)
+    if (redcc_in_sections(&execution->call)) {
         execution->run.plan = redcc_sections_plan(&execution->state->sections, &execution->call);
-    if (execution->call.request.sections)
         return;
+    }
     const bool is_kept =
         !redcc_keeps_owners(execution) || execution->call.request.loop->flags & REDCC_TILES;
     if (!execution->call.in_bins && is_kept &&
@@ -53,7 +53,7 @@ static enum progress verify(struct thread_state *thread, redcc_worker *worker) {
     (void)worker;
     struct execution *execution = thread->execution;
     struct reuse *reuse = &execution->reuse;
-    if (execution->call.request.sections)
+    if (redcc_in_sections(&execution->call))
         return execution->run.plan ? PROGRESS_PASS : PROGRESS_MEET;
     if (!reuse->found || !redcc_reuse_verify(reuse, &thread->hasher))
         return PROGRESS_MEET;
@@ -80,7 +80,7 @@ static enum stage begin_inspection(struct execution *execution) {
     const bool named = execution->call.method != NULL;
     const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
     redcc_reuse_drop_found(&execution->reuse);
-    if (execution->call.request.sections)
+    if (redcc_in_sections(&execution->call))
         return refuse(execution, REASON_NO_MEMORY);
     const bool is_direct = redcc_goes_directly(&execution->advice);
     if (!named && !is_direct && !execution->call.in_bins &&

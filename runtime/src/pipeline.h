@@ -2,7 +2,8 @@
 /**
  * The pipeline of a call of a translated loop.
  *
- *     redcc_enter    struct call      settings in force, arguments, threads       call.c
+ *     redcc_enter    struct call      settings in force (call_settings.h),
+ *                                     arguments, threads                          call.c
  *                    struct advice    auto: serial, timed, or parallel            choose/advice.h
  *                    struct kept_plan a plan that may be reused                   reuse/kept.h
  *     -- the parallel region: every thread passes through the stages ---------------------------

@@ -47,10 +47,10 @@ typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, co
 #ifdef __cplusplus
 extern "C" {
 #endif
-/** Executes a loop. 1: the loop is done. 2: it is done in a fixed order that is not its own
- * (REDCC_SECTIONED, redcc_binned.is_unordered). 0: nothing was written, and the sequential loop
- * must run. `version` is the caller's REDCC_INTERFACE. If `attempt` is 0, it executes nothing and
- * only sets site->calls. Thread-safe. */
+/** Executes a loop. REDCC_DONE: the loop is done. REDCC_DONE_IN_BLOCKS: it is done in a fixed order
+ * that is not its own (REDCC_SECTIONED, redcc_binned.is_unordered). 0: nothing was written, and the
+ * sequential loop must run. `version` is the caller's REDCC_INTERFACE. If `attempt` is 0, it
+ * executes nothing and only sets site->calls. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
 #ifdef __cplusplus

@@ -249,16 +249,15 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
         if (__builtin_memcmp(&(redcc_element), redcc__of_iteration, sizeof(redcc_type)) != 0)      \
             __builtin_memcpy(&(redcc_element), redcc__of_iteration, sizeof(redcc_type));           \
     } while (0)
-/** In a loop that is executed in a fixed order, the operands of REDCC_SUM_BLOCK iterations are
- * added up to 8 sums, which replace the first operands of the block: every eighth operand to the
- * same sum, so that an addition need not wait for the one before it. Shares begin with a block. */
-enum { REDCC_SUM_BLOCK = 64 };
+/** With REDCC_OPERANDS_IN_BLOCKS, the operands of REDCC_SUM_BLOCK iterations are added up to 8
+ * sums, which replace the first operands of the block: every eighth operand to the same sum, so
+ * that an addition need not wait for the one before it. */
 #define REDCC_SUM_COUNT(redcc_trip)                                                                \
     ((redcc_trip) / REDCC_SUM_BLOCK * 8 +                                                          \
      ((redcc_trip) % REDCC_SUM_BLOCK < 8 ? (redcc_trip) % REDCC_SUM_BLOCK : 8))
 /** Stores redcc__operand, the operand of iteration redcc_k. */
 #define REDCC_ADD_OPERAND(redcc_operands, redcc_k)                                                 \
-    if (redcc__worker->variant.follows == 2) {                                                     \
+    if (redcc__worker->variant.operands == REDCC_OPERANDS_IN_BLOCKS) {                             \
         const redcc_word redcc__number = (redcc_word)(redcc_k);                                    \
         __typeof__(redcc__operand) *const redcc__sum =                                             \
             &(redcc_operands)[redcc__number / REDCC_SUM_BLOCK * 8 + redcc__number % 8];            \
@@ -388,7 +387,7 @@ redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, con
         continue;
 /** REDCC_LEADS_ALONE, for a loop without series: must the thread execute every inner iteration,
  * even if it owns none of the rows? REDCC_OWNS_ROW: does it own a part of this row? */
-#define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
+#define REDCC_LEADS_ALONE (redcc__worker->variant.operands != REDCC_OPERANDS_BY_LEADER)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 

@@ -153,8 +153,8 @@ int redcc_claims_last(redcc_worker *worker);
  * several elements of a unit. Cold for the same reason as redcc_flush. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
-/** Does the work of redcc_leave if redcc_enter returned 1. Returns 2 if the loop is done in a fixed
- * order that is not its own. */
+/** Does the work of redcc_leave if redcc_enter returned 1. Returns REDCC_DONE, REDCC_DONE_IN_BLOCKS
+ * or 0. */
 int redcc_end(redcc_call *call);
 
 /** Does the work of redcc_sequential_done if a loop is timed. */

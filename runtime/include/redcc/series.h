@@ -77,7 +77,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     (REDCC_SERIES_COMPLETE(redcc_writer), (redcc_writer).part = 0,                                 \
      (redcc_writer).end = (redcc_writer).at,                                                       \
-     (redcc_writer).follows = redcc__checked && redcc__worker->variant.follows,                    \
+     (redcc_writer).follows =                                                                      \
+         redcc__checked && redcc__worker->variant.operands == REDCC_OPERANDS_BY_LEADER,            \
      (redcc_writer).in_front ? (redcc__k == (redcc_writer).next && !(redcc_writer).follows         \
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \

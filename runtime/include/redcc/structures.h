@@ -238,8 +238,26 @@ enum {
      * REDCC_TO_EXECUTE: call redcc_next until it returns 0, then redcc_bins_next again. 0: no
      * chunks are left. */
     REDCC_TO_PUSH = 1,
-    REDCC_TO_EXECUTE = 2
+    REDCC_TO_EXECUTE = 2,
+    /** Results of redcc_run and redcc_end. REDCC_DONE: the loop is done. REDCC_DONE_IN_BLOCKS: it
+     * is done, and its operands are stored as with REDCC_OPERANDS_IN_BLOCKS. 0: it is not done. */
+    REDCC_DONE = 1,
+    REDCC_DONE_IN_BLOCKS = 2
 };
+
+/** What the thread does with the operands of a chunk's updates of scalars
+ * (redcc_variant.operands). */
+enum {
+    REDCC_OPERANDS_ONE_BY_ONE = 0, /**< it stores each of them */
+    /** In owner-checked iterations it stores none of series. Another thread does, the iteration's
+     * leader (REDCC_CLASS_LEADS), which executes the whole iteration. */
+    REDCC_OPERANDS_BY_LEADER = 1,
+    /** It adds them up in blocks of REDCC_SUM_BLOCK iterations (REDCC_ADD_OPERAND): the loop is
+     * executed in shares, in a fixed order that is not its own. */
+    REDCC_OPERANDS_IN_BLOCKS = 2
+};
+/** Shares of iterations begin with a block. */
+enum { REDCC_SUM_BLOCK = 64 };
 
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop
  * (redcc_iteration_leaves). */
@@ -341,8 +359,7 @@ typedef struct redcc_tile {
 typedef struct redcc_variant {
     int prefetches; /**< are rows of later iterations prefetched? */
     int lanes;      /**< number of iterations executed at once (REDCC_LANES_UNIT); 0: one by one */
-    int follows; /**< 1: in owner-checked iterations, another thread stores the operands of series.
-                    2: operands are added up in blocks (REDCC_ADD_OPERAND) */
+    int operands;   /**< REDCC_OPERANDS_ONE_BY_ONE, ..._BY_LEADER or ..._IN_BLOCKS */
     const redcc_tile *tile; /**< after REDCC_TILE: the tile to execute */
 } redcc_variant;
 

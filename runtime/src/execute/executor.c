@@ -462,7 +462,8 @@ static bool hand_out_classified(redcc_worker *worker, bool hooked) {
     worker->run = runner->piece;
     worker->run_end = runner->piece + runs;
     advance_to_slice(worker);
-    worker->variant.follows = runner->selection.follows;
+    worker->variant.operands =
+        runner->selection.follows ? REDCC_OPERANDS_BY_LEADER : REDCC_OPERANDS_ONE_BY_ONE;
     parts->left -= parts->count > 0 ? iterations : 0;
     return runs > 0;
 }

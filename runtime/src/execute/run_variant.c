@@ -29,11 +29,11 @@ unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
 
 redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, unsigned part) {
     const struct variant_choice *it = &run->variant;
+    assert(redcc_is_fixed(run->call) == (plan->method == &redcc_method_sections));
     const bool prefetches = (it->is_asked && redcc_prefetch_is_possible(plan)) ||
                             redcc_variant_of(it->known, is_open_with(run, plan), part);
-    return (redcc_variant){.prefetches = prefetches,
-                           .lanes = it->lanes,
-                           .follows = plan->method == &redcc_method_sections ? 2 : 0};
+    return (redcc_variant){
+        .prefetches = prefetches, .lanes = it->lanes, .operands = redcc_call_operands(run->call)};
 }
 
 void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,

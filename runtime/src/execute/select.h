@@ -33,7 +33,7 @@ struct selection {
     bool asked;      /* the classes of iterations from worker->first on were requested and are not
                         evaluated yet */
     redcc_int taken; /* number of classified iterations that were already handed out or skipped */
-    bool follows;    /* the value of redcc_variant.follows for the runs that were handed out last */
+    bool follows;    /* REDCC_OPERANDS_BY_LEADER for the runs that were handed out last */
     unsigned char class[REDCC_SELECTED];
     struct class_bits bits[REDCC_SELECTED_WORDS]; /* the classes, once they are evaluated */
 };

@@ -50,7 +50,7 @@ int redcc_share_count(const redcc_loop *loop, redcc_int trip, double updates, re
 }
 
 redcc_int redcc_share_begin(redcc_int trip, int shares, int share) {
-    enum { BLOCK = 64 }; /* REDCC_SUM_BLOCK */
-    const redcc_int begin = redcc_share((trip - 1) / BLOCK + 1, shares, share) * BLOCK;
+    const redcc_int blocks = (trip - 1) / REDCC_SUM_BLOCK + 1;
+    const redcc_int begin = redcc_share(blocks, shares, share) * REDCC_SUM_BLOCK;
     return begin < trip ? begin : trip;
 }

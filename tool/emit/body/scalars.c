@@ -230,7 +230,7 @@ static void apply_iteration(loop_text *loop, writer *out) {
 
 /** Writes the sums of all operands, if the runtime has executed the loop in a fixed order. */
 static void write_sums(loop_text *loop, writer *out) {
-    writer_line(out, "    if (redcc__done == 2) {");
+    writer_line(out, "    if (redcc__done == REDCC_DONE_IN_BLOCKS) {");
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];
         const char *name = loop_operand(loop, update->target);

@@ -7,8 +7,6 @@
  */
 #include "plan/methods/shares.h"
 
-#include "base/bins_kind.h"
-
 const struct method redcc_method_sections = {.name = "sections",
                                              .parameter = "N",
                                              .keeps = REDCC_ORDER_FIXED,
@@ -16,8 +14,5 @@ const struct method redcc_method_sections = {.name = "sections",
                                              .owners = redcc_one_owner,
                                              .prepare = redcc_fixed_shares_prepare};
 
-const struct method redcc_method_shares = {.name = "sections",
-                                           .parameter = "N",
-                                           .keeps = REDCC_ORDER_FIXED,
-                                           .in_bins = true,
-                                           .usual = BINS_SHARES};
+const struct method redcc_method_shares = {
+    .name = "sections", .parameter = "N", .keeps = REDCC_ORDER_FIXED, .in_bins = true};
