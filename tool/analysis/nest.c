@@ -10,6 +10,7 @@
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
+#include "analysis/loop/regular.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/reduction/fixed_blocks.h"
 #include "analysis/updating_calls.h"
@@ -233,8 +234,12 @@ static void search(loop_search *s, ir_node *node) {
     }
     const ir_node *regular =
         is_irregular ? NULL : find_conflict(s->an, node, node, CONFLICT_REGULAR, true);
-    if (regular && !ignored) {
+    const ir_node *target = regular ? updated_target(s->an, regular) : NULL;
+    if (target && !ignored && !regular_is_parallel(s->an, node, target)) {
         verdict = verdict_regular(s->an, s->function, node, regular);
+        const char *advice = regular_advice(s->an, node, target);
+        if (advice)
+            verdict.why.advice = advice;
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
     } else if (!is_irregular) {
         add_not_a_reduction(s, node);
