@@ -101,6 +101,8 @@ static void note_serial(redcc_loop *loop, enum reason reason) {
     if (!state)
         return;
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    if (!redcc_settings_for(loop)->method)
+        redcc_note_rule(&state->reported.statistics, RULE_REFUSED);
     serially(state, reason);
 }
 

@@ -79,11 +79,20 @@ struct lost_plans {
                             the total */
 };
 
+/** The method that the user named for a loop, and another one for the case that the loop cannot be
+ * executed by it. */
+struct named_for_loop {
+    const struct method *method; /* NULL: auto */
+    const struct method *able;   /* a method by which every execution of the loop is possible; NULL:
+                                    there is none */
+};
+
 /** Counters of a loop. Those that threads may update without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
     struct counted_text overlap[REDCC_TEXTS]; /* the pairs of names for REASON_OVERLAP */
+    struct named_for_loop named; /* set when the counters are made */
     atomic_int rule;             /* an enum rule: the row of auto's table that decided last */
     const struct method *method; /* the method used last; NULL: none yet */
     int parameter;
