@@ -110,9 +110,12 @@ void redcc_note_no_memory(redcc_loop *loop) {
     note_serial(loop, REASON_NO_MEMORY);
 }
 
-int redcc_is_unlinked(redcc_loop *loop) {
+int redcc_is_unlinked(redcc_loop *loop, const redcc_expectation *other) {
     (void)redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
     (void)redcc_settings_for(loop); /* reads REDCC_REPORT */
+    struct loop_state *state = redcc_state_of(loop);
+    if (state && other)
+        redcc_report_unlinked(&state->reported.statistics, other);
     note_serial(loop, REASON_UNLINKED);
     return 0;
 }

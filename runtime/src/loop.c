@@ -29,6 +29,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_free(state->binning.known);
     redcc_memory_free(state->reported.file);
     redcc_memory_free(state->reported.function);
+    redcc_memory_free(atomic_load(&state->reported.statistics.unlinked));
     redcc_memory_free(state);
 }
 

@@ -138,5 +138,5 @@ void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
         snprintf(text, REDCC_WHY, "a call takes %.3g ms; threads pay from some %.2g ms on: %s",
                  1e3 * each, 1e3 * LEARN_WAKES * first_wake, remedy);
     else if (!not_as_named(it, reason, text))
-        snprintf(text, REDCC_WHY, "%s: %s", redcc_reason_text(reason), remedy);
+        snprintf(text, REDCC_WHY, "%s: %s", redcc_report_reason(it, reason), remedy);
 }
