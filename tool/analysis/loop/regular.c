@@ -13,6 +13,7 @@ static ir_node *loop_around(const ir_node *node) {
     return outer;
 }
 
+/* Does the loop change a variable by which the element is chosen? */
 static bool is_chosen_in(const analyser *an, const ir_node *loop, const ir_node *target) {
     bool is_chosen =
         target->kind == IR_VARIABLE && variable_written_in(an->facts, loop, target->variable);
@@ -45,8 +46,11 @@ static ir_node *own_inside(const analyser *an, const ir_node *loop, const ir_nod
 }
 
 bool regular_is_parallel(const analyser *an, const ir_node *loop, const ir_node *target) {
-    const ir_node *outer = own_around(an, loop, target);
-    return outer && an->unit->dialect.has_openmp && loop_text_openmp_above(an->unit, outer);
+    bool is_parallel = false;
+    for (const ir_node *outer = own_around(an, loop, target); outer && !is_parallel;
+         outer = own_around(an, outer, target))
+        is_parallel = an->unit->dialect.has_openmp && loop_text_openmp_above(an->unit, outer);
+    return is_parallel;
 }
 
 const char *regular_advice(const analyser *an, const ir_node *loop, const ir_node *target) {
