@@ -29,7 +29,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_free(state->binning.known);
     redcc_memory_free(state->reported.file);
     redcc_memory_free(state->reported.function);
-    redcc_memory_free(atomic_load(&state->reported.statistics.unlinked));
+    redcc_memory_free(atomic_load(&state->reported.statistics.why.unlinked));
     redcc_memory_free(state);
 }
 
@@ -74,7 +74,7 @@ static struct loop_state *state_new(redcc_loop *loop) {
     state->reported.file = redcc_memory_copy_text(loop->file);
     state->reported.function = redcc_memory_copy_text(loop->function);
     state->reported.line = loop->line;
-    state->reported.statistics.named = named_for(loop);
+    state->reported.statistics.why.named = named_for(loop);
     join_parts(state);
     if (!redcc_bins_new(&state->binning, loop) ||
         !redcc_fences_new(&state->execution.run.fences, loop) || !request->bases ||

@@ -87,13 +87,18 @@ struct named_for_loop {
                                     there is none */
 };
 
+/** What the texts of reasons name. */
+struct known_of_reasons {
+    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of names for REASON_OVERLAP */
+    _Atomic(char *) unlinked;                 /* the text for REASON_UNLINKED, owned; NULL: none */
+    struct named_for_loop named;              /* set when the counters are made */
+};
+
 /** Counters of a loop. Those that threads may update without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
-    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of names for REASON_OVERLAP */
-    _Atomic(char *) unlinked;    /* the text for REASON_UNLINKED, with names; owned. NULL: none */
-    struct named_for_loop named; /* set when the counters are made */
+    struct known_of_reasons why;
     atomic_int rule;             /* an enum rule: the row of auto's table that decided last */
     const struct method *method; /* the method used last; NULL: none yet */
     int parameter;

@@ -75,7 +75,7 @@ static bool is_about_method(enum reason reason) {
 /* Says which method can execute the loop in place of the named one; false if no method was named,
  * or the reason has nothing to do with it. */
 static bool not_as_named(const struct statistics *it, enum reason reason, char text[REDCC_WHY]) {
-    const struct named_for_loop named = it->named;
+    const struct named_for_loop named = it->why.named;
     if (!is_about_method(reason) || !named.method || !named.able || named.able == named.method)
         return false;
     snprintf(text, REDCC_WHY, "%s cannot execute this loop, but %s can: %s", named.method->name,
@@ -88,7 +88,7 @@ static bool not_as_named(const struct statistics *it, enum reason reason, char t
 static long count_of(const struct statistics *it, enum reason reason) {
     long count = atomic_load(&it->fallback[reason]);
     for (int i = 0; reason == REASON_OVERLAP && i < REDCC_TEXTS; i++)
-        count += it->overlap[i].count;
+        count += it->why.overlap[i].count;
     return count;
 }
 

@@ -252,18 +252,18 @@ static void a_sequential_loop_is_told_why(void **unused) {
  * reasons do not depend on the method. */
 static void a_named_method_that_is_impossible_is_told(void **unused) {
     (void)unused;
-    struct statistics it = {.named = {&redcc_method_tiles, &redcc_method_localwrite}};
+    struct statistics it = {.why.named = {&redcc_method_tiles, &redcc_method_localwrite}};
     char why[REDCC_WHY];
     atomic_store(&it.calls, 3);
     atomic_store(&it.fallback[REASON_NO_TILES], 3);
     redcc_why_sequential(&it, why);
     assert_string_equal(why, "tiles cannot execute this loop, but localwrite can: the translated "
                              "loop has no form for tiles");
-    it.named.able = NULL;
+    it.why.named.able = NULL;
     redcc_why_sequential(&it, why);
     assert_string_equal(why, "the translated loop has no form for tiles: name localwrite, which "
                              "makes a plan");
-    struct statistics other = {.named = {&redcc_method_localwrite, &redcc_method_binning}};
+    struct statistics other = {.why.named = {&redcc_method_localwrite, &redcc_method_binning}};
     atomic_store(&other.calls, 1);
     atomic_store(&other.fallback[REASON_NESTED], 1);
     redcc_why_sequential(&other, why);
