@@ -31,6 +31,8 @@ static void note_serial(redcc_loop *loop, enum reason reason) {
     if (!state)
         return;
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    if (!redcc_settings_for(loop)->method)
+        redcc_note_rule(&state->reported.statistics, RULE_REFUSED);
     serially(state, reason);
 }
 
@@ -38,9 +40,12 @@ void redcc_note_no_memory(redcc_loop *loop) {
     note_serial(loop, REASON_NO_MEMORY);
 }
 
-int redcc_is_unlinked(redcc_loop *loop) {
+int redcc_is_unlinked(redcc_loop *loop, const redcc_expectation *other) {
     (void)redcc_is_forked(); /* must precede any use of memory allocated by the parent process */
     (void)redcc_settings_for(loop); /* reads REDCC_REPORT */
+    struct loop_state *state = redcc_state_of(loop);
+    if (state && other)
+        redcc_report_unlinked(&state->reported.statistics, other);
     note_serial(loop, REASON_UNLINKED);
     return 0;
 }

@@ -12,29 +12,38 @@
  */
 enum { MOST_DEEP = 64 };
 
-static bool is_expected(const redcc_record *record, const redcc_expectation *expected,
-                        redcc_size count) {
-    for (redcc_size i = 0; i < count; i++)
-        if (strcmp(expected[i].name, record->name) == 0)
-            return expected[i].digest[0] == record->digest[0] &&
-                   expected[i].digest[1] == record->digest[1];
-    return false;
+static const redcc_expectation *expectation_of(const redcc_linkage *linkage, const char *name) {
+    for (redcc_size i = 0; i < linkage->expected_count; i++)
+        if (strcmp(linkage->expected[i].name, name) == 0)
+            return &linkage->expected[i];
+    return NULL;
 }
 
-static bool are_linked(const redcc_callee *called, redcc_size count,
-                       const redcc_expectation *expected, redcc_size expected_count, int depth) {
+static bool is_expected(const redcc_record *record, const redcc_expectation *expected) {
+    return expected && expected->digest[0] == record->digest[0] &&
+           expected->digest[1] == record->digest[1];
+}
+
+/* Are `count` callees of the function `caller` linked as expected? `caller` is NULL for those of
+ * the loops. */
+static bool are_linked(const redcc_linkage *linkage, const redcc_callee *called, redcc_size count,
+                       const redcc_expectation *caller, int depth,
+                       const redcc_expectation **other) {
     for (redcc_size i = 0; i < count; i++) {
         const redcc_record *record = called[i].record;
+        const redcc_expectation *expected = caller ? NULL : &linkage->expected[i];
+        if (record)
+            expected = expectation_of(linkage, record->name);
+        *other = expected ? expected : caller;
         if (!record || record->own != called[i].called || depth >= MOST_DEEP ||
-            !is_expected(record, expected, expected_count) ||
-            !are_linked(record->callees, record->callee_count, expected, expected_count, depth + 1))
+            !is_expected(record, expected) ||
+            !are_linked(linkage, record->callees, record->callee_count, expected, depth + 1, other))
             return false;
     }
     return true;
 }
 
-int redcc_are_linked(const redcc_callee *called, redcc_size count,
-                     const redcc_expectation *expected, redcc_size expected_count) {
-    assert((called || count == 0) && (expected || expected_count == 0));
-    return are_linked(called, count, expected, expected_count, 0);
+int redcc_are_linked(const redcc_linkage *linkage, const redcc_expectation **other) {
+    assert(linkage->count <= linkage->expected_count);
+    return are_linked(linkage, linkage->called, linkage->count, NULL, 0, other);
 }

@@ -4,6 +4,8 @@
 #include "loop.h"
 
 #include "base/memory.h"
+#include "bins/binning.h"
+#include "settings.h"
 #include "unmade.h"
 
 #include <assert.h>
@@ -27,6 +29,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_free(state->binning.known);
     redcc_memory_free(state->reported.file);
     redcc_memory_free(state->reported.function);
+    redcc_memory_free(atomic_load(&state->reported.statistics.why.unlinked));
     redcc_memory_free(state);
 }
 
@@ -46,6 +49,16 @@ static void join_parts(struct loop_state *state) {
     state->binning.effects.error = &execution->run.error;
 }
 
+/* The method that is named for the loop. A plan for localwrite exists for every loop with an
+ * inspector, and every loop without one has a form for bins. */
+static struct named_for_loop named_for(const redcc_loop *loop) {
+    return (struct named_for_loop){.method = redcc_settings_for(loop)->method,
+                                   .able = !(loop->flags & REDCC_NO_INSPECTOR)
+                                               ? &redcc_method_localwrite
+                                           : redcc_binned_of(loop) ? &redcc_method_binning
+                                                                   : NULL};
+}
+
 static struct loop_state *state_new(redcc_loop *loop) {
     struct loop_state *state = redcc_memory_alloc_zeroed(1, sizeof *state);
     if (!state)
@@ -61,6 +74,7 @@ static struct loop_state *state_new(redcc_loop *loop) {
     state->reported.file = redcc_memory_copy_text(loop->file);
     state->reported.function = redcc_memory_copy_text(loop->function);
     state->reported.line = loop->line;
+    state->reported.statistics.why.named = named_for(loop);
     join_parts(state);
     if (!redcc_bins_new(&state->binning, loop) ||
         !redcc_fences_new(&state->execution.run.fences, loop) || !request->bases ||

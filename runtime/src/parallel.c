@@ -72,9 +72,9 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         !site->binned.is_unordered && !redcc_is_worth_entering(attempt->trip))
         return 0;
     const redcc_linkage *const linkage = attempt->linkage;
-    if (linkage && !redcc_are_linked(linkage->called, linkage->count, linkage->expected,
-                                     linkage->expected_count))
-        return redcc_is_unlinked(loop);
+    const redcc_expectation *other;
+    if (linkage && !redcc_are_linked(linkage, &other))
+        return redcc_is_unlinked(loop, other);
     if (!redcc_operands_alloc_all(loop, attempt))
         return 0;
     /* Done even if the loop then runs sequentially. It may run so because a row was named for the

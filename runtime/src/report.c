@@ -55,9 +55,26 @@ void redcc_report_overlap(struct statistics *statistics, const char *source, con
     char text[REDCC_TEXT];
     snprintf(text, sizeof text, "'%s' overlaps '%s'", source, array);
     for (int i = 0; i < REDCC_TEXTS; i++)
-        if (count_text(statistics->overlap[i].text, &statistics->overlap[i].count, text))
+        if (count_text(statistics->why.overlap[i].text, &statistics->why.overlap[i].count, text))
             return;
     atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* no slot is left for this text */
+}
+
+void redcc_report_unlinked(struct statistics *statistics, const redcc_expectation *other) {
+    if (atomic_load(&statistics->why.unlinked))
+        return;
+    char text[REDCC_TEXT];
+    snprintf(text, sizeof text, "'%.64s' of %.64s is not linked as it was analysed", other->name,
+             other->file);
+    char *none = NULL, *mine = redcc_memory_copy_text(text);
+    if (!atomic_compare_exchange_strong(&statistics->why.unlinked, &none, mine))
+        redcc_memory_free(mine);
+}
+
+const char *redcc_report_reason(const struct statistics *statistics, enum reason reason) {
+    const char *unlinked =
+        reason == REASON_UNLINKED ? atomic_load(&statistics->why.unlinked) : NULL;
+    return unlinked ? unlinked : redcc_reason_text(reason);
 }
 
 void redcc_report_lost(struct statistics *statistics, const char *array) {

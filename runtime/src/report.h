@@ -79,11 +79,26 @@ struct lost_plans {
                             the total */
 };
 
+/** The method that the user named for a loop, and another one for the case that the loop cannot be
+ * executed by it. */
+struct named_for_loop {
+    const struct method *method; /* NULL: auto */
+    const struct method *able;   /* a method by which every execution of the loop is possible; NULL:
+                                    there is none */
+};
+
+/** What the texts of reasons name. */
+struct known_of_reasons {
+    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of names for REASON_OVERLAP */
+    _Atomic(char *) unlinked;                 /* the text for REASON_UNLINKED, owned; NULL: none */
+    struct named_for_loop named;              /* set when the counters are made */
+};
+
 /** Counters of a loop. Those that threads may update without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
-    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of names for REASON_OVERLAP */
+    struct known_of_reasons why;
     atomic_int rule;             /* an enum rule: the row of auto's table that decided last */
     const struct method *method; /* the method used last; NULL: none yet */
     int parameter;
@@ -125,6 +140,12 @@ void redcc_report_remove(struct reported *reported);
 
 /** Counts a fallback because source `source` overlaps `array`. */
 void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array);
+
+/** Records which function is not linked as expected, for REASON_UNLINKED. Thread-safe. */
+void redcc_report_unlinked(struct statistics *statistics, const redcc_expectation *other);
+
+/** The text of a reason, with the names that are known. */
+const char *redcc_report_reason(const struct statistics *statistics, enum reason reason);
 
 /** Counts a plan that could not be reused because the subscript array `array` had changed. */
 void redcc_report_lost(struct statistics *statistics, const char *array);

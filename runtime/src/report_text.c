@@ -116,10 +116,11 @@ static void write_fallbacks(FILE *out, const struct statistics *it) {
     const char *separator = "";
     fputs(", \"fallbacks\": [", out);
     for (enum reason reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
-        write_fallback(out, &separator, reason, redcc_reason_text(reason),
+        write_fallback(out, &separator, reason, redcc_report_reason(it, reason),
                        atomic_load(&it->fallback[reason]));
     for (int i = 0; i < REDCC_TEXTS; i++)
-        write_fallback(out, &separator, REASON_OVERLAP, it->overlap[i].text, it->overlap[i].count);
+        write_fallback(out, &separator, REASON_OVERLAP, it->why.overlap[i].text,
+                       it->why.overlap[i].count);
     putc(']', out);
 }
 
@@ -238,11 +239,11 @@ static void write_notes(FILE *out, const struct statistics *it) {
     for (enum reason reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
         if (atomic_load(&it->fallback[reason]) > 0)
             fprintf(out, "redcc:       sequential %ld times: %s\n",
-                    atomic_load(&it->fallback[reason]), redcc_reason_text(reason));
+                    atomic_load(&it->fallback[reason]), redcc_report_reason(it, reason));
     for (int i = 0; i < REDCC_TEXTS; i++)
-        if (it->overlap[i].count > 0)
-            fprintf(out, "redcc:       sequential %ld times: %s\n", it->overlap[i].count,
-                    it->overlap[i].text);
+        if (it->why.overlap[i].count > 0)
+            fprintf(out, "redcc:       sequential %ld times: %s\n", it->why.overlap[i].count,
+                    it->why.overlap[i].text);
     for (int i = 0; i < REDCC_LOST; i++)
         if (it->lost.array[i].count > 0)
             fprintf(out, "redcc:       a plan lost %ld times: '%s' had changed\n",

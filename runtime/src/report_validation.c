@@ -26,9 +26,9 @@ static void print_why_not(const struct reported *loop) {
             why = redcc_reason_text((enum reason)reason);
         }
     for (int i = 0; i < REDCC_TEXTS; i++)
-        if (it->overlap[i].count > most) {
-            most = it->overlap[i].count;
-            why = it->overlap[i].text;
+        if (it->why.overlap[i].count > most) {
+            most = it->why.overlap[i].count;
+            why = it->why.overlap[i].text;
         }
     begin_line(loop);
     fprintf(stderr, "never ran in parallel, %ld calls: %s\n", atomic_load(&it->calls), why);

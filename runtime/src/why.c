@@ -54,12 +54,41 @@ static const char *const remedies[REASON_COUNT] = {
                        "frequent",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
+/* Is the reason that a method, rather than any method, cannot execute the loop? */
+static bool is_about_method(enum reason reason) {
+    switch (reason) {
+    case REASON_ORDER_NEEDED:
+    case REASON_NO_COPIES:
+    case REASON_MIXED:
+    case REASON_LEVELS:
+    case REASON_NO_BINS:
+    case REASON_NO_INSPECTOR:
+    case REASON_NO_SELECTION:
+    case REASON_NO_TILES:
+    case REASON_SPREAD:
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* Says which method can execute the loop in place of the named one; false if no method was named,
+ * or the reason has nothing to do with it. */
+static bool not_as_named(const struct statistics *it, enum reason reason, char text[REDCC_WHY]) {
+    const struct named_for_loop named = it->why.named;
+    if (!is_about_method(reason) || !named.method || !named.able || named.able == named.method)
+        return false;
+    snprintf(text, REDCC_WHY, "%s cannot execute this loop, but %s can: %s", named.method->name,
+             named.able->name, redcc_reason_text(reason));
+    return true;
+}
+
 /* The number of calls that were sequential for this reason. For overlaps it includes the counts of
  * the pairs of names. */
 static long count_of(const struct statistics *it, enum reason reason) {
     long count = atomic_load(&it->fallback[reason]);
     for (int i = 0; reason == REASON_OVERLAP && i < REDCC_TEXTS; i++)
-        count += it->overlap[i].count;
+        count += it->why.overlap[i].count;
     return count;
 }
 
@@ -108,6 +137,6 @@ void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
     else if (reason == REASON_LITTLE_WORK && timed > 0)
         snprintf(text, REDCC_WHY, "a call takes %.3g ms; threads pay from some %.2g ms on: %s",
                  1e3 * each, 1e3 * LEARN_WAKES * first_wake, remedy);
-    else
-        snprintf(text, REDCC_WHY, "%s: %s", redcc_reason_text(reason), remedy);
+    else if (!not_as_named(it, reason, text))
+        snprintf(text, REDCC_WHY, "%s: %s", redcc_report_reason(it, reason), remedy);
 }

@@ -59,6 +59,10 @@ done
 expect_same first.o second.o
 expect_same first.remarks second.remarks
 expect_match second.remarks "remark: loop in 'count' runs in parallel"
+for cache in "$REDCC_CACHE" "$REDCC_CACHE" off; do
+  REDCC_OPTS='' REDCC_CACHE=$cache "$redcc_cc" -Rredcc -O1 -c x.c -o third.o 2>third.remarks || fail "$case_name"
+  expect_same first.remarks third.remarks
+done
 expect_equal "$case_name: reports" 1 "$(sort -u report | wc -l)"
 expect_equal "$case_name: reports" 2 "$(wc -l <report)"
 unset REDCC_OPTS

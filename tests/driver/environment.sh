@@ -36,6 +36,17 @@ REDCC_OPTS="--order serial" "$redcc_cc" --redcc-show -c x.c >shown || fail "$cas
 expect_match shown 'ffp-contract=off'
 REDCC_OPTS="--report=text" "$redcc_cc" -c x.c 2>messages || fail "$case_name"
 expect_match messages '^x\.c:4:5: remark: fake remark'
+REDCC_OPTS="--order=fixed" "$redcc_cc" -Rredcc -c x.c 2>messages || fail "$case_name: -Rredcc"
+expect_match messages '^x\.c:4:5: remark: fake remark'
+"$redcc_cc" --redcc-show -Rredcc -c x.c >shown || fail "$case_name"
+expect_no_match shown 'Rredcc'
+expect_match shown "redcc' x.c .*--report=text"
+REDCC_DISABLE=1 "$redcc_cc" -Rredcc x.c -o p || fail "$case_name: -Rredcc reached the compiler"
+"$redcc_cc" -Rredcc -ftrapv -c x.c 2>messages || fail "$case_name: -Rredcc reached the compiler"
+expect_match messages '^redcc-cc: note: x\.c: compiled as it is: .*-ftrapv'
+"$redcc_cc" -Rredcc-missed -c x.c 2>messages
+expect_equal "$case_name" 2 $?
+expect_match messages "unknown option '-Rredcc-missed'; -Rredcc prints all remarks"
 REDCC_OPTS="--bad" "$redcc_cc" -c x.c 2>messages || fail "$case_name"
 expect_match messages "warning: x\.c: compiled as it is: redcc failed: .*'--bad'"
 end

@@ -249,6 +249,9 @@ write_sources
 REDCC_OPTS=--report=text build_reported redcc-cc -O2 -c count.c
 expect_match log 'count.c:7:5: remark: loop in .main. runs in parallel'
 expect_equal "$case_name" transformed "$(verdicts)"
+build_reported redcc-cc -Rredcc -O2 -c count.c
+expect_match log 'count.c:7:5: remark: loop in .main. runs in parallel'
+expect_equal "$case_name: -Rredcc" transformed "$(verdicts)"
 REDCC_OPTS="--report=json --report-file=own.json" build_reported redcc-cc -O2 -c count.c
 jq -e '.loops[0].verdict == "transformed"' own.json >/dev/null || fail "$case_name: the user's own report"
 expect_equal "$case_name" transformed "$(verdicts)"

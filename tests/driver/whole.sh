@@ -182,6 +182,12 @@ make CC="$redcc_cc" >log 2>&1 || fail "changed helper: $(cat log)"
 expect_equal "compiled again" 1 "$(grep -c -- '-c src' log)"
 run_at_all_threads ./program "" # all loops of a file compare all that it has read
 expect_match report '"slug": *"unlinked"'
+expect_equal "reasons" "'distance2' of distance.c is not linked as it was analysed" \
+  "$(jq -r '.loops[].fallbacks[] | select(.slug == "unlinked").reason' report | sort -u)"
+REDCC_REPORT=report ./program >actual || fail "$case_name"
+expect_equal "no method was named" refused "$(jq -r '.loops[].rule' report | sort -u)"
+REDCC_REPORT=- ./program 2>table >actual || fail "$case_name"
+expect_match table "why sequential: 'distance2' of distance.c is not linked as it was analysed: compile both files again"
 touch src/loops.c
 make CC="$redcc_cc" >log 2>&1 || fail "changed user: $(cat log)"
 run_at_all_threads ./program "assemble bins forces histogram"

@@ -464,6 +464,22 @@ static void the_report_says_why_not(void **unused) {
                     "REDCC_MEMORY_LIMIT", 5);
 }
 
+/* springs.c has no form for tiles. */
+static void the_report_names_a_method_that_can(void **unused) {
+    (void)unused;
+    const char *const variables[] = {"OMP_NUM_THREADS=3 REDCC_METHOD=tiles",
+                                     "OMP_NUM_THREADS=3 REDCC_METHOD=springs.c:4=tiles"};
+    for (int i = 0; i < 2; i++) {
+        expect_fallback(variables[i], "no-tiles", "no form for tiles", 5);
+        json_t *report = report_of(variables[i], "2000 5");
+        const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+        const char *why = json_string_value(json_object_get(loop, "why_sequential"));
+        assert_non_null(why);
+        assert_non_null(strstr(why, "tiles cannot execute this loop, but localwrite can: "));
+        json_decref(report);
+    }
+}
+
 static void the_report_names_the_method_with_its_parameter(void **unused) {
     (void)unused;
     for (int m = 2; m < METHODS; m++) {
@@ -502,6 +518,7 @@ int main(int count, char **arguments) {
         cmocka_unit_test(the_report_says_what_was_done),
         cmocka_unit_test(the_report_says_what_binds_the_threads),
         cmocka_unit_test(the_report_says_why_not),
+        cmocka_unit_test(the_report_names_a_method_that_can),
         cmocka_unit_test(the_report_names_the_method_with_its_parameter),
     };
     if (count < 4 || !mkdtemp(folder))

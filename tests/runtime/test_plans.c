@@ -257,8 +257,9 @@ static void an_overlap_is_refused(void **unused) {
         }
         assert_int_equal(problem_run(problem, &fixture.described, THREADS, &last), by >= 0);
         assert_memory_equal(expected, both, doubles * sizeof *both);
-        assert_int_equal(statistics_of(&fixture)->overlap[0].count, 1);
-        assert_string_equal(statistics_of(&fixture)->overlap[0].text, "'value' overlaps 'first'");
+        assert_int_equal(statistics_of(&fixture)->why.overlap[0].count, 1);
+        assert_string_equal(statistics_of(&fixture)->why.overlap[0].text,
+                            "'value' overlaps 'first'");
     }
     problem->first = first;
     problem->value = value;

@@ -248,6 +248,31 @@ static void a_sequential_loop_is_told_why(void **unused) {
     }
 }
 
+/* A named method that cannot execute the loop is named in the sentence, with one that can. Other
+ * reasons do not depend on the method. */
+static void a_named_method_that_is_impossible_is_told(void **unused) {
+    (void)unused;
+    struct statistics it = {.why.named = {&redcc_method_tiles, &redcc_method_localwrite}};
+    char why[REDCC_WHY];
+    atomic_store(&it.calls, 3);
+    atomic_store(&it.fallback[REASON_NO_TILES], 3);
+    redcc_why_sequential(&it, why);
+    assert_string_equal(why, "tiles cannot execute this loop, but localwrite can: the translated "
+                             "loop has no form for tiles");
+    it.why.named.able = NULL;
+    redcc_why_sequential(&it, why);
+    assert_string_equal(why, "the translated loop has no form for tiles: name localwrite, which "
+                             "makes a plan");
+    struct statistics other = {.why.named = {&redcc_method_localwrite, &redcc_method_binning}};
+    atomic_store(&other.calls, 1);
+    atomic_store(&other.fallback[REASON_NESTED], 1);
+    redcc_why_sequential(&other, why);
+    assert_null(strstr(why, "binning"));
+    atomic_store(&other.fallback[REASON_NO_INSPECTOR], 2);
+    redcc_why_sequential(&other, why);
+    assert_non_null(strstr(why, "localwrite cannot execute this loop, but binning can: "));
+}
+
 /* Pairs of overlapping arrays are counted separately, but are one reason. */
 static void an_overlap_is_a_reason(void **unused) {
     (void)unused;
@@ -322,6 +347,7 @@ int main(void) {
         cmocka_unit_test(more_arrays_than_there_is_room_for_are_counted),
         cmocka_unit_test(who_is_advised_to_sleep),
         cmocka_unit_test(a_sequential_loop_is_told_why),
+        cmocka_unit_test(a_named_method_that_is_impossible_is_told),
         cmocka_unit_test(an_overlap_is_a_reason),
         cmocka_unit_test(each_loop_says_what_its_slice_does_not_name),
         cmocka_unit_test(modes_follow_the_calls),

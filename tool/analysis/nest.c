@@ -5,11 +5,13 @@
 #include <assert.h>
 #include <stdlib.h>
 
+#include "analysis/base/atomic_call.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/openmp_nest.h"
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
+#include "analysis/loop/regular.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/reduction/fixed_blocks.h"
 #include "analysis/updating_calls.h"
@@ -90,10 +92,26 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     return false;
 }
 
+/* Does the node, by an atomic operation of the compiler or by a function that contains one, change
+ * an element that the loop's own text chooses? */
+static bool updates_atomically(const analyser *an, const ir_node *loop, const ir_node *node,
+                               conflict_kind kind) {
+    if (kind != CONFLICT_SHARED || !atomic_name(an->memory, node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *target = atomic_pointee(an->memory, node, i);
+        if (target && names_changed(an, loop, target) &&
+            conflict_at(an->facts, loop, target, node) == kind)
+            return true;
+    }
+    return false;
+}
+
 static bool has_conflict(const analyser *an, const ir_node *loop, const ir_node *node,
                          conflict_kind kind) {
-    if (node->kind == IR_CALL)
-        return call_updates(an, loop, node, kind);
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE)
+        return (node->kind == IR_CALL && call_updates(an, loop, node, kind)) ||
+               updates_atomically(an, loop, node, kind);
     const ir_node *target = updated_target(an, node);
     if (!target || conflict_of(an->facts, loop, target) != kind)
         return false;
@@ -233,13 +251,21 @@ static void search(loop_search *s, ir_node *node) {
     }
     const ir_node *regular =
         is_irregular ? NULL : find_conflict(s->an, node, node, CONFLICT_REGULAR, true);
-    if (regular && !ignored) {
+    const ir_node *target = regular ? updated_target(s->an, regular) : NULL;
+    if (target && !ignored && !regular_is_parallel(s->an, node, target)) {
         verdict = verdict_regular(s->an, s->function, node, regular);
+        const char *advice = regular_advice(s->an, node, target);
+        if (advice)
+            verdict.why.advice = advice;
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
     } else if (!is_irregular) {
         add_not_a_reduction(s, node);
     } else if (is_candidate(s->an, node)) {
         verdict = verdict_at(s, node);
+        const ir_node *update = find_conflict(s->an, node, node, CONFLICT_SHARED, false);
+        if (verdict.kind != VERDICT_TRANSFORM && verdict.why.id != REASON_EXISTING_OPENMP &&
+            atomic_name(s->an->memory, update))
+            verdict = verdict_atomic(s->an, s->function, node, update);
         if (is_inspected(&verdict)) {
             VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
             return;

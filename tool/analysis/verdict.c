@@ -4,6 +4,7 @@
 
 #include <assert.h>
 
+#include "analysis/base/atomic_call.h"
 #include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/inner_conditions.h"
@@ -462,6 +463,15 @@ loop_verdict verdict_regular(const analyser *whole, ir_function *function, ir_no
     const array_list arrays = arrays_of_kind(&j, CONFLICT_REGULAR);
     const char *name = arrays.count ? arrays.items[0].array.name : name_written(&j, update);
     return refused(&j, analysis_reason(&j, REASON_REGULAR_NEST, update, name), CONFLICT_REGULAR);
+}
+
+loop_verdict verdict_atomic(const analyser *whole, ir_function *function, ir_node *loop,
+                            const ir_node *update) {
+    assert(ir_contains(loop, update));
+    const analyser *an = analyser_for(whole, loop);
+    loop_analysis j = {.an = an, .function = function, .loop = loop};
+    const char *name = atomic_name(an->memory, update);
+    return refused(&j, analysis_reason(&j, REASON_IMPURE_CALL, update, name), CONFLICT_SHARED);
 }
 
 loop_verdict verdict_ignored(const analyser *whole, ir_function *function, ir_node *loop,

@@ -28,6 +28,7 @@ static const char help_text[] =
     "Usage: redcc-cc [COMPILER] ARGUMENTS...\n"
     "Compiles C as COMPILER does ($REDCC_CC, else cc), and makes irregular reductions parallel.\n"
     "ARGUMENTS are the compiler's. Alone, --help and --version print the compiler's text first.\n"
+    "  -Rredcc               print remarks on the loops of each C source\n"
     "  --redcc-show          print the commands without running them\n"
     "  --redcc-report        translate and write the build's report without compiling\n"
     "  --redcc-summary FILE  add up the build's report in FILE\n"
@@ -64,14 +65,19 @@ static bool is_option_of_ours(session *s, const char *word) {
     }
     const bool shows = strcmp(word, "--redcc-show") == 0;
     const bool reports = strcmp(word, "--redcc-report") == 0;
+    const bool remarks = strcmp(word, "-Rredcc") == 0;
     s->show |= shows;
     s->only_reports |= reports;
-    if (!shows && !reports && strncmp(word, "--redcc-", 8) == 0) {
-        fprintf(stderr, "redcc-cc: error: unknown option '%s'; --redcc-help lists the options\n",
-                word);
+    s->remarks |= remarks;
+    if (shows || reports || remarks)
+        return true;
+    const bool remarks_in_part = strncmp(word, "-Rredcc", 7) == 0;
+    if (remarks_in_part || strncmp(word, "--redcc-", 8) == 0) {
+        fprintf(stderr, "redcc-cc: error: unknown option '%s'; %s\n", word,
+                remarks_in_part ? "-Rredcc prints all remarks" : "--redcc-help lists the options");
         exit(2);
     }
-    return shows || reports;
+    return false;
 }
 
 static void read_arguments(session *s, unsigned count, char **words) {

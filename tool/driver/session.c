@@ -18,6 +18,8 @@ void session_read_options(session *s) {
     const char *text = getenv("REDCC_OPTS");
     if (text)
         words_split(s->memory, text, &s->options);
+    if (s->remarks)
+        words_add(s->memory, &s->options, "--report=text");
     for (unsigned i = 0; i < s->options.count; i++) {
         const char *word = s->options.items[i];
         if (strncmp(word, "--order=", 8) == 0)
@@ -128,8 +130,8 @@ void session_pass_by(session *s, const char *file, const char *why) {
         return;
     if (s->report && !build_report_append_left_alone(file, why, s->report))
         session_warn(s, "cannot append to '%s'", s->report);
-    if (!s->strict)
-        session_explain(s, "%s: compiled as it is: %s", file, why);
+    if (!s->strict && (s->verbose || s->remarks))
+        session_note(s, "%s: compiled as it is: %s", file, why);
 }
 
 void session_leave_alone(session *s, const char *file, const char *why) {

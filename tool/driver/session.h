@@ -20,6 +20,7 @@ typedef struct session {
     bool show;           /**< --redcc-show: print the commands, run nothing */
     bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
+    bool remarks;        /**< -Rredcc: print remarks on the loops of each source */
     bool strict;         /**< $REDCC_STRICT: a source that cannot be translated ends the build */
     struct cache *cache; /**< the cache (cache.h), or NULL */
     const char *report;  /**< the file for the build's report, or NULL */
@@ -31,7 +32,7 @@ typedef struct session {
     word_list unlinked;  /**< sources whose translated objects did not link */
 } session;
 
-/** Reads $REDCC_OPTS into the session. */
+/** Reads $REDCC_OPTS into the session, and what -Rredcc adds to it. */
 void session_read_options(session *s);
 
 /** Reads the file name of the build's report, and whether the build is strict, into the session. */
@@ -59,12 +60,12 @@ void session_note(const session *s, const char *format, ...) __attribute__((form
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/** Reports, under -v and in the build's report, why an input is passed to the compiler unchanged.
- * Unlike session_leave_alone, this is never an error. */
+/** Reports, under -v or -Rredcc and in the build's report, why an input is passed to the compiler
+ * unchanged. Unlike session_leave_alone, this is never an error. */
 void session_pass_by(session *s, const char *file, const char *why);
 
-/** Reports, under -v and in the build's report, why a C source is compiled unchanged. With
- *  $REDCC_STRICT this is an error, which ends the process with status 1. */
+/** Reports, under -v or -Rredcc and in the build's report, why a C source is compiled unchanged.
+ * With $REDCC_STRICT this is an error, which ends the process with status 1. */
 void session_leave_alone(session *s, const char *file, const char *why);
 
 /** Removes the temporaries and ends the process with `status`, a result of process_run, or by a

@@ -187,14 +187,22 @@ static bool is_at_file_scope(const ir_unit *unit, const ir_function *function) {
     return true;
 }
 
-static void write_digest(buffer *out, uint64_t of) {
-    buffer_format(out, "{0x%xu, 0x%xu}", (unsigned)(of >> 32), (unsigned)of);
+static void write_expectation(const ir_function *function, unsigned *count, buffer *out) {
+    const ir_import *import = function->linkage.import;
+    const char *slash = strrchr(import->file, '/');
+    buffer_format(out, "%s{\"%s\", {0x%xu, 0x%xu}, \"", (*count)++ ? ", " : "", function->name,
+                  (unsigned)(import->digest >> 32), (unsigned)import->digest);
+    for (const char *letter = slash ? slash + 1 : import->file; *letter; letter++)
+        buffer_byte(out, (unsigned char)*letter < ' ' || strchr("\"\\?", *letter) ? '_' : *letter);
+    buffer_text(out, "\"}");
 }
 
 const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *analysed,
                           const char **obstacle) {
     calls c = {.memory = a, .is_noted = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     buffer records = {0}, called = {0}, expected = {0};
+    bool *is_direct = ARENA_ARRAY(a, bool, unit->function_count + 1);
+    unsigned count = 0;
     note_calls_of_loops(&c, analysed);
     for (unsigned i = 0; i < c.direct.count; i++) {
         const ir_function *function = c.direct.items[i];
@@ -208,15 +216,13 @@ const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *
                               function->name);
         buffer_format(&called, "%s{&redcc__record_%s, (redcc_code)redcc__called_%s}", i ? ", " : "",
                       function->name, function->name);
+        write_expectation(function, &count, &expected);
+        is_direct[function->id] = true;
     }
-    unsigned count = 0;
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_import *import = unit->functions[i]->linkage.import;
-        if (!import || !import->digest)
-            continue;
-        buffer_format(&expected, "%s{\"%s\", ", count++ ? ", " : "", unit->functions[i]->name);
-        write_digest(&expected, import->digest);
-        buffer_text(&expected, "}");
+        if (import && import->digest && !is_direct[unit->functions[i]->id])
+            write_expectation(unit->functions[i], &count, &expected);
     }
     const char *text =
         c.direct.count == 0

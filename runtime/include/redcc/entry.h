@@ -8,7 +8,7 @@
 
 /** The version of the interface that this file, structures.h and parallel_steps.h share with the
  *  runtime. */
-enum { REDCC_INTERFACE = 7 };
+enum { REDCC_INTERFACE = 8 };
 
 /** A transformed loop. There is one static object for each; only the runtime writes to it. */
 typedef struct redcc_site {

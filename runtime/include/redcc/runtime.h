@@ -104,15 +104,15 @@ extern redcc_int redcc_least_trip;
  * at once. */
 extern redcc_int redcc_exempt_iterations;
 
-/** Are the functions that this object calls, directly or indirectly, the definitions that
- * `expected` names? False if the static or the dynamic linker has replaced one of them by another
- * definition. */
-int redcc_are_linked(const redcc_callee *called, redcc_size count,
-                     const redcc_expectation *expected, redcc_size expected_count);
+/** Are the functions that this object calls, directly or indirectly, the expected definitions?
+ * False if the static or the dynamic linker has replaced one of them by another definition. *other
+ * is then the expected definition of that function or, if the function has no record, of its
+ * caller. */
+int redcc_are_linked(const redcc_linkage *linkage, const redcc_expectation **other);
 
 /** Counts an execution of the original loop that was chosen because redcc_are_linked returned 0.
  * Returns 0. */
-int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
+int redcc_is_unlinked(redcc_loop *loop, const redcc_expectation *other) __attribute__((__cold__));
 
 /** Is the calling thread the process's initial thread and the only one that runs the program's
  * code? Idle threads of OpenMP do not count. */

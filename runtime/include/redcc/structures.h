@@ -115,10 +115,12 @@ typedef struct redcc_callee {
 typedef struct redcc_expectation {
     const char *name;
     redcc_u32 digest[2];
+    const char *file; /**< the source that was analysed, without its folder */
 } redcc_expectation;
 
-/** The functions that an object's loops call, and the definitions of these functions on which the
- * translation relies. */
+/** The functions that an object's loops call, and the definitions on which the translation relies:
+ * expected[i] is that of called[i] for i < count, and those of indirectly called functions
+ * follow. */
 typedef struct redcc_linkage {
     const redcc_callee *called;
     redcc_size count;

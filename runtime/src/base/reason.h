@@ -43,8 +43,7 @@
     X(REASON_ASSERTION, "assertion",                                                               \
       "the program may see what an assertion that fails in a function leaves undone")              \
     X(REASON_LEAVES, "leaves", "an iteration leaves the loop")                                     \
-    X(REASON_UNLINKED, "unlinked",                                                                 \
-      "a linked function of another file differs from the analysed one: compile this file again")  \
+    X(REASON_UNLINKED, "unlinked", "a function of another file is not linked as it was analysed")  \
     X(REASON_OTHER_THREADS, "other-threads",                                                       \
       "the loop ran with its OpenMP directives: other threads may update the same array")          \
     X(REASON_STRAYED, "strayed", "an iteration left the memory that the last inspection found")    \

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 
+#include "analysis/base/atomic_call.h"
 #include "analysis/base/stateful.h"
 
 typedef struct reason_entry {
@@ -136,6 +137,9 @@ reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
 
 const char *reason_advice_on_call(arena *a, const char *name, bool has_body) {
     const char *effect = has_body ? NULL : stateful_effect(name);
+    if (atomic_is_name(name))
+        return "it updates memory atomically: write the update itself, such as *x += v; where "
+               "OpenMP's threads share the loop, under #pragma omp atomic in the loop's own text";
     if (effect)
         return arena_format(a, "it %s: call it in a separate loop, before or after", effect);
     return has_body

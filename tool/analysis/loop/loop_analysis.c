@@ -80,17 +80,20 @@ void analysis_assert_unchanged(const loop_analysis *known, uint64_t before) {
 #endif
 
 /* The loop's name in a message: by its counter, or by its line if the counter is unknown. */
-static const char *loop_text(const loop_analysis *j, const char *counter) {
-    const ir_unit *unit = j->an->unit;
-    const counted_result found = counted_recognise_analysed(j->loop);
+static const char *loop_text(const analyser *an, ir_node *loop, const char *counter) {
+    const ir_unit *unit = an->unit;
+    const counted_result found = counted_recognise_analysed(loop);
     if (!counter && found.is_counted)
         counter = found.loop.counter->name;
     if (counter)
-        return arena_format(j->an->memory, "the loop over '%s'", counter);
-    const ir_position *in_header = ir_position_in_header(unit, j->loop);
-    return arena_format(j->an->memory, "the loop in line %u",
-                        in_header ? in_header->line
-                                  : ir_position_of(unit, j->loop->range.begin).line);
+        return arena_format(an->memory, "the loop over '%s'", counter);
+    const ir_position *in_header = ir_position_in_header(unit, loop);
+    return arena_format(an->memory, "the loop in line %u",
+                        in_header ? in_header->line : ir_position_of(unit, loop->range.begin).line);
+}
+
+const char *analysis_loop_text(const analyser *an, ir_node *loop) {
+    return loop_text(an, loop, NULL);
 }
 
 static bool names_loop(reason_id why) {
@@ -105,7 +108,7 @@ reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *nod
     if (range.begin >= range.end)
         range = j->loop->range;
     if (names_loop(why))
-        name = loop_text(j, name);
+        name = loop_text(j->an, j->loop, name);
     reason result = reason_make(j->an->memory, why, name ? name : "?", range);
     if (why == REASON_IMPURE_CALL && name) {
         const ir_function *function = ir_function_named(j->an->unit, name);

@@ -119,6 +119,9 @@ void analysis_assert_unchanged(const loop_analysis *known, uint64_t before);
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name);
 
+/** The loop's name in a message: by its counter, or by its line if the counter is unknown. */
+const char *analysis_loop_text(const analyser *an, ir_node *loop);
+
 /** Sets the reason in `own`, a check's own copy, unless one is set already. Returns false. */
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name);
 
