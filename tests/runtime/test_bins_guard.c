@@ -56,7 +56,7 @@ static void reads_overlap_from(redcc_int from, redcc_int round) {
         assert_true(work_state()->binning.round.begin <= from);
         if (binned && from < TRIP)
             assert_true(work_state()->binning.round.begin > from - round);
-        assert_string_equal(work_state()->reported.statistics.overlap[0].text,
+        assert_string_equal(work_state()->reported.statistics.why.overlap[0].text,
                             from < TRIP ? "'x' overlaps 'other'" : "");
     }
     redcc_bins_tuning = usual;
