@@ -458,6 +458,7 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
         bound++;
     if (is_up ? lower > bound : lower < bound)
         return false;
+    bound = lower + (bound - lower) / r.loop.step * r.loop.step; /* the last value in the body */
     *counter = r.loop.counter;
     *first = is_up ? lower : bound;
     *last = is_up ? bound : lower;

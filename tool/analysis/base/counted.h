@@ -40,8 +40,8 @@ counted_result counted_recognise_analysed(ir_node *loop);
  *  variable and the step. */
 bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
 
-/** Is this a for loop over constants with at least one iteration? Then its counter is in [*first,
- *  *last] in the body, whichever way it counts. */
+/** Is this a for loop over constants with at least one iteration? Then *first and *last are the
+ *  least and the greatest value of its counter in the body, whichever way it counts. */
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
                       int64_t *last);
 

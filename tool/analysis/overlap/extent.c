@@ -347,15 +347,27 @@ static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bo
                           .bounds = bounds}};
 }
 
-/* Is the subscript c, c + k or c - k with a constant k? Then it takes each value between its least
- * and its greatest. */
+/* Does a constant loop around the node, which is a variable, count it by steps of 1 or -1? */
+static bool takes_each_value(const ir_node *node) {
+    const ir_variable *counter;
+    ir_variable *stepped;
+    int64_t first, last, step;
+    for (const ir_node *loop = node->parent; loop; loop = loop->parent)
+        if (counted_constant(loop, &counter, &first, &last) && counter == node->variable)
+            return counted_step(loop->children[2], &stepped, &step) && (step == 1 || step == -1);
+    return false;
+}
+
+/* Is the subscript c, c + k or c - k, with a constant k and the counter c of a constant loop that
+ * takes each value between its least and its greatest? */
 static bool is_counter_and_constant(const ir_node *subscript) {
     int64_t value;
     if (subscript->kind == IR_BINARY &&
         (subscript->op == IR_OP_ADD || subscript->op == IR_OP_SUBTRACT))
         return subscript->children[0]->kind == IR_VARIABLE &&
+               takes_each_value(subscript->children[0]) &&
                expression_constant(subscript->children[1], &value);
-    return subscript->kind == IR_VARIABLE;
+    return subscript->kind == IR_VARIABLE && takes_each_value(subscript);
 }
 
 /* Returns the bounds of rows if inner loops over constants read all of them in each iteration, as
