@@ -62,6 +62,7 @@ static void texts_that_make_one(void **state) {
         {"#if __clang_major__ >= 3\n", "__clang_major__"},
         {"#if __clang_major__ >= 19 || __GNUC__ >= 3 && !defined __clang__\n", "__clang_major__"},
         {"#if !__clang_major__ || __clang_major__ > 20\n", "__clang_major__"},
+        {"#if __clang_major__ > 20\n", "__clang_major__"},
         {"int a[__clang_major__];\n", "__clang_major__"},
         {"#ifdef __INT64_C\n", "__INT64_C"},
         {"n += sizeof(__UINT_FAST16_TYPE__);\n", "__UINT_FAST16_TYPE__"},

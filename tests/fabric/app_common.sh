@@ -35,6 +35,11 @@ holds() {
   fi
 }
 
+# cpu_seconds PROCESS: sets used to the CPU seconds that the process has used.
+cpu_seconds() {
+  used=$(awk -v a="$(getconf CLK_TCK)" '{print ($14 + $15) / a}' "/proc/$1/stat")
+}
+
 # interrupt SIGNAL COMMAND...: sends the signal once the command has written a line to its standard
 # output, whose first line then is in first, and the CPU seconds used until then in used; gives the
 # command's exit status.
@@ -47,7 +52,7 @@ interrupt() {
   running=$!
   exec 3<told
   read -r first <&3
-  used=$(awk -v a="$(getconf CLK_TCK)" '{print ($14 + $15) / a}' /proc/$running/stat)
+  cpu_seconds $running
   kill -"$signal" $running
   cat <&3 >/dev/null
   exec 3<&-

@@ -119,6 +119,14 @@ expect 0 "" "$program" run --resume signalled --progress none
 expect 0 "" "$program" "${run[@]}" -o unsignalled --steps 300
 same_results signalled unsignalled
 
+# at_once BEFORE AFTER: between two outputs of times, the command that was interrupted has used less than a
+# second more than the `used` before the signal.
+at_once() {
+  local late
+  late=$(awk -F'[ms ]' -v used="$used" 'FNR == 2 {sum = 60 * $1 + $2 + 60 * $4 + $5 - sum}
+    END {print sum - used}' "$1" "$2")
+  holds "that takes no second, but $late s" awk -v late="$late" 'BEGIN {exit !(late > -0.1 && late < 1)}'
+}
 # With a barrier Ctrl-C waits for no step: that under way is undone, within a second.
 times >begun
 interrupt INT "$program" run poles -o large --set mesh.vertices=8000 --set mesh.boundary=350 \
@@ -127,9 +135,20 @@ status=$?
 times >ended
 holds "a run with a barrier is interrupted as well" test $status -eq 130
 holds "its step is undone" grep -q "ended after step 1 of 70; to go on" large.said
-late=$(awk -F'[ms ]' -v used="$used" 'FNR == 2 {sum = 60 * $1 + $2 + 60 * $4 + $5 - sum}
-  END {print sum - used}' begun ended)
-holds "that takes no second, but $late s" awk -v late="$late" 'BEGIN {exit !(late > -0.1 && late < 1)}'
+at_once begun ended
+
+# While the simulation is made, nothing is awaited.
+"$program" run poles -o unmade --set mesh.vertices=60000 --set mesh.boundary=900 --progress none 2>unmade.said &
+running=$! used=0
+while awk -v used="$used" 'BEGIN {exit used >= 0.3}' && kill -0 $running; do cpu_seconds $running; done
+times >begun
+kill -TERM $running
+wait $running
+status=$?
+times >ended
+holds "the program ends at once" test $status -eq 130
+holds "nothing is said or written" test ! -e unmade -a ! -s unmade.said
+at_once begun ended
 
 # A folder's name that a shell would take apart is quoted.
 expect 0 "to go on: $(basename "$program") run --resume 'two words'" \

@@ -36,12 +36,15 @@ static const option run_options[] = {
      .offset = VALUE(resume)},
     {.name = NULL}};
 
-static volatile sig_atomic_t interrupted;
+static volatile sig_atomic_t interrupted, has_state;
 
-/* Handles the first signal; a second one ends the program at once. */
+/* Handles the first signal; a second one ends the program at once. So does the first one while the
+ * simulation is made: there is no state to save, and nothing has been written. */
 static void note_interrupt(int signal_number) {
     static const char said[] = "\nends after this step; at once with another Ctrl-C\n";
     (void)signal_number;
+    if (!has_state)
+        _exit(EXIT_INTERRUPTED);
     interrupted = 1;
     if (write(STDERR_FILENO, said, sizeof said - 1) < 0)
         return; /* standard error is closed */
@@ -244,10 +247,10 @@ static int make_simulation(cloth_run *run, const run_request *r) {
 /** Makes and runs the simulation. Removes and writes nothing before the simulation has been made
  *  without errors. */
 static int simulate(cloth_run *run, const run_request *r) {
-    return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run, r) == 0 &&
-                   run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0
-               ? finish(run, r)
-               : -1;
+    if (begin(run, r) != 0 || make_mesh(run) != 0 || make_simulation(run, r) != 0)
+        return -1;
+    has_state = 1;
+    return run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0 ? finish(run, r) : -1;
 }
 
 static int run(const command *self, int argc, char **argv) {

@@ -111,8 +111,9 @@ static int complain_crossing(void *to, const barrier *b, const barrier_crossing 
     char first[48], second[48];
     name_feature(b, 2, found->edge, first, sizeof first);
     name_feature(b, 3, found->triangle, second, sizeof second);
-    snprintf(to, 200, "it starts in itself: %s goes %.3g mm through %s; move them apart by more",
-             first, 1e3 * found->depth, second);
+    const int body = b->collider[found->edge[0]] >= 0 || b->collider[found->triangle[0]] >= 0;
+    snprintf(to, 200, "it starts in %s: %s goes %.3g mm through %s; move them apart by more",
+             body ? "a body" : "itself", first, 1e3 * found->depth, second);
     return refuse(b, to);
 }
 

@@ -28,7 +28,6 @@ void barrier_step_free(simulation *sim) {
     barrier_free(&s->contact);
     barrier_system_free(&s->system);
     arrays_free(&s->own);
-    free(s->kept);
     free(s);
     sim->barrier = NULL;
 }
@@ -380,7 +379,7 @@ void barrier_step_solve(simulation *sim) {
     s->blocked = 0;
     s->descent.along = 0;
     for (int n = 0; n < most_iterations && status == SOLVER_TOO_MANY_ITERATIONS; n++)
-        status = s->stop && *s->stop ? SOLVER_NOT_FINITE : iterate(sim, n);
+        status = sim->stop && *sim->stop ? SOLVER_NOT_FINITE : iterate(sim, n);
     if (status != SOLVER_NOT_FINITE)
         settle(sim);
     sim->step.solver_status = status;

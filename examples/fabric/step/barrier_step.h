@@ -17,8 +17,6 @@
 #ifndef FABRIC_BARRIER_STEP_H
 #define FABRIC_BARRIER_STEP_H
 
-#include <signal.h>
-
 #include "contact/barrier.h"
 #include "contact/barrier_system.h"
 #include "simulation.h"
@@ -44,13 +42,10 @@ typedef struct barrier_step {
     double work;        /* J, work of bodies in the step, less the energy that the barrier gained */
     double (*trial)[3]; /* [surface's vertices] m */
     barrier_descent descent;
-    double still_distance;             /* m, largest displacement that ends the iteration */
-    double longest_displacement;       /* m, limit of a vertex's displacement in an iteration */
-    int blocked;                       /* driven vertices could not reach their goals */
-    const volatile sig_atomic_t *stop; /* nonzero ends the step at once; NULL if nothing can end
-                                        * it */
-    unsigned char *kept; /* if `stop` is set: the simulation's state before the step */
-    arrays own;          /* all arrays above except `kept` */
+    double still_distance;       /* m, largest displacement that ends the iteration */
+    double longest_displacement; /* m, limit of a vertex's displacement in an iteration */
+    int blocked;                 /* driven vertices could not reach their goals */
+    arrays own;                  /* all arrays above */
 } barrier_step;
 
 /** Initialises the barrier's part of the simulation, after all other parts. Returns 0, or -1 with a

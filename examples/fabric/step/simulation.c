@@ -182,21 +182,22 @@ int simulation_threads(const simulation *sim) {
 }
 
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
-    barrier_step *s = sim->barrier;
-    if (!s)
-        return 0;
-    s->kept = realloc(s->kept, simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS);
-    s->stop = s->kept ? stop : NULL;
-    return s->kept ? 0 : -1;
+    free(sim->kept);
+    sim->kept = malloc(simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS);
+    sim->stop = sim->kept ? stop : NULL;
+    return sim->kept ? 0 : -1;
 }
 
-static int is_stopped(const simulation *sim) {
-    return sim->barrier && sim->barrier->stop && *sim->barrier->stop;
+/* Can the step still be undone, and may it take long? Other steps need one or two rounds, so that
+ * saving the state before them would cost more than it helps. */
+static int may_be_undone(const simulation *sim) {
+    return sim->stop && sim->state.ticks_done == 0 && !(sim->state.part > 0) &&
+           (sim->barrier || sim->step.ticks < TICKS_PER_STEP);
 }
 
 /* Restores the state before the step. Returns 1, or -1 with a message in error[256]. */
 static int undo(simulation *sim, size_t size, char *error) {
-    if (simulation_restore(sim, sim->barrier->kept, size) == 0)
+    if (simulation_restore(sim, sim->kept, size) == 0)
         return 1;
     snprintf(error, 256, "out of memory");
     return -1;
@@ -210,17 +211,17 @@ int simulation_step(simulation *sim, char *error) {
         sim->account.steps_slept++;
         return 0;
     }
-    if (sim->barrier && sim->barrier->stop) {
-        kept = simulation_saved_size(sim);
-        simulation_save(sim, sim->barrier->kept, kept);
-    }
     while (sim->state.frame == frame) {
         const int shortest = sim->step.ticks == 1;
+        if (kept == 0 && may_be_undone(sim)) {
+            kept = simulation_saved_size(sim);
+            simulation_save(sim, sim->kept, kept);
+        }
+        if (kept > 0 && *sim->stop)
+            return undo(sim, kept, error);
         plan_follow(sim);
         run_round(sim);
-        if (is_stopped(sim))
-            return undo(sim, kept, error);
-        if (!sim->step.accepted && shortest) {
+        if (!sim->step.accepted && shortest && !(kept > 0 && *sim->stop)) {
             complain(sim, error);
             return -1;
         }

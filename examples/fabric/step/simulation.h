@@ -63,9 +63,10 @@ void simulation_choose_threads(simulation *sim);
 /** Returns the current number of threads, or 0 if all are used. */
 int simulation_threads(const simulation *sim);
 
-/** From now on a step with `contact: barrier`, which may take long, checks *stop in each of its
- *  iterations. If *stop is not 0, simulation_step restores the state before the step and returns 1.
- *  Keeps the pointer. Returns 0, or -1 if out of memory. */
+/** From now on a step that may take long checks *stop: with `contact: barrier` in each iteration,
+ *  and otherwise after each of its parts if it has been halved. If *stop is not 0, simulation_step
+ *  restores the state before the step and returns 1. Keeps the pointer. Returns 0, or -1 if out of
+ *  memory. */
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
 /** Makes one step of the scene: the four phases, timed, repeated until the step's end is reached.

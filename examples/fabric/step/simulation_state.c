@@ -205,6 +205,7 @@ void simulation_free(simulation *sim) {
     integrator_free(&sim->integrator);
     arrays_free(&sim->own);
     free(sim->account.rejections);
+    free(sim->kept);
     free(sim);
 }
 

@@ -85,7 +85,9 @@ struct simulation {
     struct barrier_step *barrier; /* NULL: contact by constraints (collision.h) */
     team team;                    /* chooses the number of threads */
     struct run_account account;
-    arrays own; /* mass, state, the step's vectors */
+    const volatile sig_atomic_t *stop; /* nonzero ends a step at once; NULL if nothing can end it */
+    unsigned char *kept; /* if `stop` is set: the state before a step that may be ended */
+    arrays own;          /* mass, state, the step's vectors */
 };
 
 /** The number of rejections in the log. */

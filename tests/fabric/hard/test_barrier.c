@@ -194,7 +194,8 @@ static mesh crossed_layers(void) {
 static void bad_starts_are_named(void **state) {
     (void)state;
     collider bodies[1] = {barrier_ground};
-    barrier_refused("crossed", crossed_layers(), barrier_scene(0, NULL), "mm through triangle");
+    barrier_refused("crossed", crossed_layers(), barrier_scene(0, NULL),
+                    "starts in itself: edge 3 6");
     barrier_refused("coincident", barrier_layers(2, 4, 0.04, 0.02, 0, 0), barrier_scene(0, NULL),
                     "touching");
     barrier_refused("below the floor", barrier_layers(1, 4, 0.04, -0.001, 0, 0),
@@ -202,7 +203,7 @@ static void bad_starts_are_named(void **state) {
     collider thin[1] = {barrier_pole(0.001)};
     thin[0].position[0] = thin[0].position[1] = 0.05;
     barrier_refused("around a pole", barrier_layers(1, 4, 0.04, 0, 0, 0), barrier_scene(1, thin),
-                    "of colliders.0");
+                    "starts in a body: edge of colliders.0 goes");
     bodies[0].until = 1;
     barrier_refused("until", barrier_layers(1, 4, 0.04, 0.1, 0, 0), barrier_scene(1, bodies),
                     "no until");

@@ -189,6 +189,41 @@ static void test_halved_steps(void **state) {
     }
 }
 
+/* Steps that were halved are stopped after their first part: `stop` is the number of ticks that are
+ * done. They are undone, and the saved simulation continues with the same bits. */
+static void test_halved_steps_are_stopped(void **state) {
+    (void)state;
+    char error[256] = "";
+    stage whole = stormy(INTEGRATOR_BDF2), part = stormy(INTEGRATOR_BDF2);
+    int stopped = 0;
+    stage_begin(&whole);
+    stage_begin(&part);
+    for (int n = 0; n < STEPS; n++) {
+        assert_int_equal(simulation_stop_when(part.sim, &part.sim->state.ticks_done), 0);
+        const int status = simulation_step(part.sim, error);
+        if (status != 0) {
+            assert_int_equal(status, 1);
+            assert_int_equal(part.sim->state.frame, n);
+            assert_int_equal(part.sim->state.ticks_done, 0);
+            saved before = save(part.sim);
+            simulation_free(part.sim);
+            stage_begin(&part);
+            assert_int_equal(simulation_restore(part.sim, before.bytes, before.size), 0);
+            free(before.bytes);
+            stage_run(&part, 1);
+            stopped++;
+        }
+        stage_run(&whole, 1);
+        saved one = save(whole.sim), other = save(part.sim);
+        assert_same(&one, &other);
+        free(one.bytes);
+        free(other.bytes);
+    }
+    assert_in_range(stopped, 2, STEPS - 2);
+    stage_end(&whole);
+    stage_end(&part);
+}
+
 /* A hinge's wing is turned around repeatedly: its angle must be remembered beyond full turns. */
 static stage winding(int integrator) {
     static const double material[4][2] = {{0, 0}, {0, 1}, {-1, 0.5}, {1, 0.5}};
@@ -305,6 +340,7 @@ int main(void) {
         cmocka_unit_test(test_everything_at_once),
         cmocka_unit_test(test_integrators),
         cmocka_unit_test(test_halved_steps),
+        cmocka_unit_test(test_halved_steps_are_stopped),
         cmocka_unit_test(test_wound_hinge),
         cmocka_unit_test(test_solvers),
         cmocka_unit_test(test_direct_solutions_at_once),
