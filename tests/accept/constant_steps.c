@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Inner loops with constant bounds whose step skips elements: the last value of the counter is the
  * last one that it takes, not the last one below the bound. Lists and vectors end at the end of
  * their memory, so that any other read is a crash. */
