@@ -10,13 +10,14 @@
  * First, executions run for WARM seconds (default 2, so that `auto` ends its trials). Then rounds
  * run for twice that time, but at least 9 rounds. In a round each variant is executed twice in a
  * row and the second execution is timed, so that no variant starts with the caches, or the sleeping
- * threads, that another left. At last come 9 executions, each with an inspection. Prints lines
+ * threads, that another left. Finally, 9 executions are timed, each with an inspection. Prints
+ * lines
  *
  *    loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
  *    inspection_of_serial,extra_percent,replication,modelled
  *
  * seconds are medians. speed_up, lowest and highest are the median, minimum and maximum of the
- * rounds' speed-ups (from 20 rounds on, the 5th and 95th percentile). inspection_of_serial is the
+ * rounds' speed-ups (from 20 rounds on, the 5th and 95th percentiles). inspection_of_serial is the
  * time of an inspection divided by that of the sequential loop. extra_percent is the extra memory
  * relative to the reduction arrays. replication is the number of iterations executed, including
  * those that several threads repeat, per iteration of the loop. modelled is the number of
@@ -24,8 +25,9 @@
  *
  * With `others`, also prints lines for OpenMP's atomics, its reduction of array sections (which
  * needs stacks as large as the arrays: ulimit -s, OMP_STACKSIZE), array expansion written by hand,
- * and `unmerged`, an upper bound on this machine: each thread adds an equal share of the iterations
- * to a separate array. WARM 0: one execution only, for the model at many threads.
+ * and `unmerged`: each thread adds an equal share of the iterations to a separate array, and these
+ * are not merged. This shows the speed-up of the iterations alone; methods with better locality can
+ * be faster. WARM 0: one execution only, for the model at many threads.
  */
 #include "loop.h"
 

@@ -2,7 +2,8 @@
 /*
  * For script/bench product: times the product of the cloth's matrix and a vector in two ways. In
  * one, half of the matrix is stored, as in the simulator; in the other, every block is stored. The
- * arguments are numbers of vertices of the meshes. Before timing, the program checks that both ways
+ * arguments are, for each mesh, the number of its vertices, that of those on the boundary, and the
+ * number of timed products. Before timing, the program checks that both ways
  * give the same product.
  */
 #include <math.h>

@@ -7,12 +7,12 @@
  * A bar of SIDE x SIDE x 4 SIDE bricks, whose nodes are displaced irregularly, is fixed at z = 0;
  * its far end starts with a velocity. Central differences with lumped masses integrate the motion.
  * In each step a loop over the elements gathers the displacements of eight nodes and computes the
- * stresses at the centre (one-point integration). It adds Flanagan and Belytschko's control of the
- * hourglass modes, which have no strain at the centre, and scatters the nodal forces. Every
- * fiftieth step prints the kinetic energy and the tip's displacement; the end prints all
- * displacements.
+ * stresses at the centre (one-point integration). It adds a stiffness against the hourglass modes,
+ * which have no strain at the centre, in the manner of Flanagan and Belytschko but without their
+ * correction for distorted elements, and scatters the nodal forces. Every fiftieth step prints the
+ * kinetic energy and the tip's displacement. At the end the program prints all displacements.
  *
- * T. J. R. Hughes, The Finite Element Method, Prentice-Hall 1987, section 9; D. P. Flanagan and T.
+ * T. J. R. Hughes, The Finite Element Method, Prentice-Hall 1987, chapter 9; D. P. Flanagan and T.
  * Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679.
  */
 #include <math.h>

@@ -9,7 +9,7 @@
  * is all that the solver knows of the mesh. A loop over the edges adds Rusanov's flux to one node
  * and subtracts it from the other. Another loop adds up wave speeds over the edges, which give the
  * time steps. Four-stage Runge-Kutta steps lead to the steady state. Every twentieth step prints
- * the residual; the end prints density and momentum at the nodes.
+ * the residual. At the end the program prints density and momentum at the nodes.
  *
  * D. J. Mavriplis, Annu. Rev. Fluid Mech. 29 (1997) 473; A. Jameson, W. Schmidt and E. Turkel, AIAA
  * paper 81-1259; T. J. Barth, Aspects of unstructured grids, VKI lecture series 1994-05.

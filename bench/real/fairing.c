@@ -9,7 +9,7 @@
  * visits every triangle. It adds the cotangents of the triangle's angles times its edges to the
  * curvature normals of its vertices, and a third of its area to the vertices' areas. Then the step
  * moves each vertex along its normal, as far as is stable. Scaling restores lost volume. Every
- * tenth step prints area and volume; the end prints some of the vertices.
+ * tenth step prints area and volume. At the end the program prints some of the vertices.
  *
  * M. Desbrun, M. Meyer, P. Schroeder, A. H. Barr: Implicit Fairing of Irregular Meshes using
  * Diffusion and Curvature Flow, SIGGRAPH 1999, equations 14 and 10. U. Pinkall, K. Polthier,

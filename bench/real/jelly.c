@@ -7,8 +7,8 @@
  * A block of SIDE^3 cubes, each cut into five tetrahedra, is tilted above a floor. The material is
  * stable Neo-Hookean, with viscous damping. Each step adds the forces of all tetrahedra to their
  * nodes, and the forces of springs that push nodes out of the floor. Then it moves the nodes
- * (symplectic Euler). Every fiftieth step prints energies and the lowest node; the end prints some
- * of the nodes.
+ * (symplectic Euler). Every fiftieth step prints energies and the lowest node. At the end the
+ * program prints some of the nodes.
  *
  * B. Smith, F. de Goes, T. Kim: Stable Neo-Hookean Flesh Simulation, ACM Trans. Graph. 37 (2018)
  * 12, equations 13 and 18. J. Teran, S. Blemker, V. Ng Thow Hing, R. Fedkiw: Finite Volume Methods

@@ -7,7 +7,8 @@
  * A periodic cube of 4 CELLS^3 atoms starts as a face-centred lattice with small random velocities.
  * The velocity Verlet method integrates the motion. Forces are computed from a neighbour list,
  * which is rebuilt by linked cells every twentieth step. Each pair is listed once, and its force is
- * added to both atoms. Every twentieth step prints the energies; the end prints positions.
+ * added to both atoms. Every twentieth step prints the energies. At the end the program prints
+ * positions.
  *
  * The method and the form of its loops are those of M. P. Allen and D. J. Tildesley, Computer
  * Simulation of Liquids, Oxford 1987, programs F.4, F.17, F.19 and F.20. The list is due to L.

@@ -8,8 +8,8 @@
  * in one corner and cooled along one edge. Crank and Nicolson's scheme gives a symmetric system for
  * each step, which conjugate gradients solve. All products of a matrix and a vector are CSparse's
  * cs_gaxpy, which works by columns: y[i] += A(i, j) x[j]. Matrices are built from triplets by
- * cs_entry, cs_compress and cs_dupl. Every step prints its iterations and the heat in the plate;
- * the end prints temperatures.
+ * cs_entry, cs_compress and cs_dupl. Every step prints its iterations and the heat in the plate. At
+ * the end the program prints temperatures.
  *
  * O. C. Zienkiewicz and R. L. Taylor, The Finite Element Method, 4th edition, McGraw-Hill 1989; M.
  * R. Hestenes and E. Stiefel, J. Res. NBS 49 (1952) 409. CSparse: T. A. Davis, Direct Methods for

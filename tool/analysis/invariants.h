@@ -9,8 +9,8 @@
  *  NDEBUG is defined. */
 void analysis_assert_verdict(const ir_unit *unit, const loop_verdict *verdict);
 
-/** Asserts these properties of all verdicts, and that the verdicts on each function are in source
- *  order. */
+/** Asserts these properties of all verdicts, and that the verdicts on the loops of each function
+ * are in source order. */
 void analysis_assert_result(const ir_unit *unit, const analysis_result *result);
 
 #endif

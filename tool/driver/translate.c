@@ -273,8 +273,8 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it tests which compiler this is (%s)", asked);
 }
 
-/* Shows the output of the user's own --report. The translator writes one kind of report in a run.
- * If it has written the build's report, it therefore runs once more. */
+/* Shows the output of the user's own --report. The translator writes only one kind of report per
+ * run. So if it has written the build's report, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
     if (t->report) {

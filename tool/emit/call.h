@@ -21,8 +21,8 @@ void fill_key(loop_text *loop, writer *out);
 
 /** Extents (address ranges) of sources that are known before the inspection. An affine extent
  * reaches from the first iteration's row to the last one's. has_affine_extents tells whether there
- * are any of these. declare_extents declares redcc__known, in which fill_extents writes the
- * extents (extents.c). */
+ * are any of these. fill_extents writes the extents to redcc__known (extents.c). If an extent may
+ * turn out to be unknown, declare_extents declares redcc__unknown, which says so. */
 bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
@@ -32,8 +32,8 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
 /** Does the generated text read memory before the loop that the program might not read? Such reads
  * use loads that cannot fault. */
 bool reads_by_system(const loop_text *loop);
-/** Returns the condition that all extents are known, without which the parallel form must not be
- * entered; NULL if they are always known. */
+/** Returns a C condition that is true if all extents are known. If it is false, the parallel form
+ * must not be entered. NULL: they are always known. */
 const char *extents_condition(const loop_text *loop);
 
 #endif

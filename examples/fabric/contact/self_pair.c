@@ -80,8 +80,9 @@ static double foot_in_plane(const double x[4][3], double weight[4]) {
     return v < u ? (v < w ? v : w) : (u < w ? u : w);
 }
 
-/* Computes the weights of the features' nearest points. Returns their distance, infinite if the
- * vertex's projection lies outside of the triangle by more than `outside`. */
+/* Computes the weights of the features' nearest points. Returns their distance. It is infinite if a
+ * barycentric coordinate of the vertex's projection is below -outside, or if the triangle has no
+ * area. */
 static double distance_between(int is_edges, const double x[4][3], double outside,
                                double weight[4]) {
     double separation[3];

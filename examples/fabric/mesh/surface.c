@@ -197,9 +197,8 @@ typedef struct nearest {
     const double *normal; /* pseudonormal at that point */
 } nearest;
 
-/* Updates *best if the triangle has a nearer point. The region of the plane above which p lies
- * shows whether the point is on the face, an edge or a vertex (Ericson 2005, Real-Time Collision
- * Detection, 5.1.5). */
+/* Updates *best if the triangle has a nearer point. That point is on the vertex, the edge or the
+ * face whose Voronoi region contains p (Ericson 2005, Real-Time Collision Detection, 5.1.5). */
 static void take_triangle(const surface *s, int t, const double p[3], nearest *best) {
     const double *a = corner(s, t, 0), *b = corner(s, t, 1), *c = corner(s, t, 2);
     const int *v = s->mesh.triangle[t];

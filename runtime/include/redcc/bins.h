@@ -166,7 +166,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/* Mentions the row's number, because redcc checks the meaning of each name that it writes. */
+/* `sizeof` uses redcc_number without evaluating it: redcc checks that each name in its output
+ * reaches the compiler, also in the arguments of macros (tool/redcc/bindings.h). */
 #define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
     (redcc__checked == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, ((void)sizeof(redcc_number), redcc_at))          \
@@ -175,8 +176,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 /** The number of an element that is reached through a pointer, counted from address 0.
  * `redcc_pointer` is the address from which that pointer is loaded, or 0. While updates are binned,
  * that address may be unverified. If it cannot be read, or the element is misaligned, the result is
- * REDCC_NO_ROW. This ends the round: the iterations whose records are collected before any of them
- * is applied. */
+ * REDCC_NO_ROW, and the round fails. (A round is a range of iterations whose records are collected
+ * before any of them is applied.) */
 #define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
     ((redcc_size)(redcc_pointer) == 0 ||                                                           \
              redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))                    \

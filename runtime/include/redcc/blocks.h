@@ -21,8 +21,9 @@
          : 0)
 
 /** The number of blocks, at most redcc_max. REDCC_BLOCKS_LONG is for loops of long iterations.
- * REDCC_BLOCKS_SHORT is redcc_max or a smaller power of two: several blocks have at least 64
- * iterations each. With a power of two, 2, 4 or 8 threads get equal shares. */
+ * REDCC_BLOCKS_SHORT is redcc_max if each block then has at least 64 iterations. Otherwise it is
+ * the largest power of two for which they do, or 1 if the loop is too short for two blocks. A power
+ * of two can be divided evenly among 2, 4 or 8 threads. */
 #define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
     ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
 #define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)

@@ -11,10 +11,11 @@
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_REPEATS    each thread   when no iteration is left. If memory was short, or an
- *                                           iteration has left a fence, the first thread executes
- *                                           all iterations again: it makes no updates, but adds
- *                                           the operands directly
+ *     REDCC_SERIES_REPEATS    each thread   after the parallel part. If memory was short, or an
+ *                                           iteration has left the memory in which its accesses
+ *                                           were expected, the first thread repeats the iterations
+ *                                           without their updates, adding the operands directly,
+ *                                           and executes those that remain
  *     REDCC_SERIES_BANDS      each thread   after each tile
  *     series->is_over         each thread   1: it is the first thread, and the loop is done
  *     REDCC_SERIES_APPLY      that thread   adds the operands

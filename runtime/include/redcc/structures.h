@@ -251,14 +251,15 @@ enum {
  * (redcc_variant.operands). */
 enum {
     REDCC_OPERANDS_ONE_BY_ONE = 0, /**< it stores each of them */
-    /** In owner-checked iterations it stores none of series. Another thread does, the iteration's
-     * leader (REDCC_CLASS_LEADS), which executes the whole iteration. */
+    /** In owner-checked iterations it stores no operands of series (series.h). The iteration's
+     * leader (REDCC_CLASS_LEADS), which executes the whole iteration, stores them. */
     REDCC_OPERANDS_BY_LEADER = 1,
     /** It adds them up in blocks of REDCC_SUM_BLOCK iterations (REDCC_ADD_OPERAND): the loop is
-     * executed in shares, in a fixed order that is not its own. */
+     * executed in shares of its iterations, and so in a fixed order that differs from that of the
+     * sequential loop. */
     REDCC_OPERANDS_IN_BLOCKS = 2
 };
-/** Shares of iterations begin with a block. */
+/** The length of these blocks. The number of a share's first iteration is a multiple of it. */
 enum { REDCC_SUM_BLOCK = 64 };
 
 /** Passed to `is_stale` in place of a source's number if an iteration leaves the loop

@@ -11,8 +11,8 @@
 #include "plan/method.h"
 #include "plan/tile_grid.h"
 
-/* A map of owners is used only if the most loaded owner's share is then below this fraction of its
- * share with cuts. Owner checks with a map are slower. */
+/* A map of owners chosen by votes is kept only if the largest share with the map is below this
+ * fraction of the largest share with the cuts, because owner checks with a map are slower. */
 #define WORTH_A_MAP 0.9
 
 /* The iterations of a sample take at most this time, in seconds, when the loop executes them.

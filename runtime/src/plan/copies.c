@@ -223,9 +223,9 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
     }
 }
 
-/* Merges element after element: adds the element's values in all copies, in the order of the
- * copies, as in figure 9 (a) of the paper (docs/methods.md). All copies must contain the whole
- * group. */
+/* Merges element by element: combines each element with its values in all copies, in the order of
+ * the copies (figure 9 (a) of the paper, docs/paper.md). Each copy must contain the whole block.
+ * With COPY_LATER, also makes the block neutral again in all copies. */
 static void merge_element_by_element(const struct plan *plan, uint32_t group,
                                      const struct element_rule *rule, char *base,
                                      struct offsets block) {

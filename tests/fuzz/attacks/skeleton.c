@@ -178,8 +178,8 @@ static operand make_feature(attack *a) {
         addresses_as_values,  block_restrict,  changed_types,       names_like_builtins,
         values_of_the_thread, searches,        floating_subscripts, odd_text,
         beside_scalars,       made_valid,      behind_the_loop,     slices};
-    /* Features added later depend on the seed, so that other seeds yield the same programs as
-     * before. */
+    /* Features that were added later are the first feature of the seeds with these remainders.
+     * They draw no random number, so that all other seeds yield the same programs as before. */
     static feature *const later[16] = {
         [3] = counters_set_inside, [7] = masks, [10] = held, [13] = mapped};
     feature *chosen = a->features == 0 ? later[a->seed % 16] : NULL;

@@ -371,8 +371,8 @@ static void add_variables(const copying *c) {
 
 /* ---- the exchange ---------------------------------------------------------------------------- */
 
-/* Updates address_taken of the variables that the call gets by address: if no `&` of them is left
- * in the caller, they count as own scalars. */
+/* Updates address_taken of the variables whose addresses are arguments of the call. If the caller
+ * takes such an address nowhere else, no called function can change the variable. */
 static void count_addresses(const ir_function *caller, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];

@@ -14,8 +14,8 @@ const char *bins_record_name(loop_text *loop, unsigned stream);
 /** The text before an update of the element at `address`; `name` spells variables. */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name);
-/** The text before an inner loop that appends one record for the loop (a nest or a span), or NULL
- * if there is none. */
+/** The text before an inner loop that appends the records of its updates (a nest or a span), one
+ * record for each update. NULL if the updates append their records themselves. */
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
 /** Do apply functions use the context, so that it must be declared before them? */
 bool bins_have_spans(const loop_text *loop);

@@ -122,8 +122,8 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** In the form for bins: if the updates of an inner loop are appended as one record, prints code
- * that appends this record, then the loop, and returns true. */
+/** If the statement is an inner loop whose updates are recorded before it in bins (a nest or a
+ * span: bins_appends), prints code that appends their records, then the loop, and returns true. */
 static bool print_appends(body_copy *copy, const ir_node *statement) {
     const char *appends = copy->within == statement || copy->loop->tiles
                               ? NULL

@@ -10,8 +10,8 @@
  */
 #include "plan/plan.h"
 
-/* Sets the expected number of iterations, without those that several threads execute. The actual
- * number is known only after the execution. */
+/* Sets the number of iterations to an equal share of the trip count, as if only one thread executed
+ * each iteration. The actual number is known only after the execution. */
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     plan->schedule[thread].iterations = redcc_share(evidence->trip, evidence->threads, thread + 1) -
                                         redcc_share(evidence->trip, evidence->threads, thread);
