@@ -181,11 +181,8 @@ int simulation_threads(const simulation *sim) {
     return team_threads(&sim->team);
 }
 
-int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
-    free(sim->kept);
-    sim->kept = malloc(simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS);
-    sim->stop = sim->kept ? stop : NULL;
-    return sim->kept ? 0 : -1;
+void simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
+    sim->stop = stop;
 }
 
 /* Can the step still be undone, and may it take long? Other steps need one or two rounds, so that
@@ -193,6 +190,20 @@ int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
 static int may_be_undone(const simulation *sim) {
     return sim->stop && sim->state.ticks_done == 0 && !(sim->state.part > 0) &&
            (sim->barrier || sim->step.ticks < TICKS_PER_STEP);
+}
+
+/* Saves the state before the step. Returns its size. If out of memory, returns 0, and from then on
+ * steps are not ended early. */
+static size_t keep(simulation *sim) {
+    const size_t size = simulation_saved_size(sim);
+    unsigned char *kept = realloc(sim->kept, size);
+    if (!kept) {
+        sim->stop = NULL;
+        return 0;
+    }
+    sim->kept = kept;
+    simulation_save(sim, kept, size);
+    return size;
 }
 
 /* Restores the state before the step. Returns 1, or -1 with a message in error[256]. */
@@ -213,10 +224,8 @@ int simulation_step(simulation *sim, char *error) {
     }
     while (sim->state.frame == frame) {
         const int shortest = sim->step.ticks == 1;
-        if (kept == 0 && may_be_undone(sim)) {
-            kept = simulation_saved_size(sim);
-            simulation_save(sim, sim->kept, kept);
-        }
+        if (kept == 0 && may_be_undone(sim))
+            kept = keep(sim);
         if (kept > 0 && *sim->stop)
             return undo(sim, kept, error);
         plan_follow(sim);

@@ -65,9 +65,8 @@ int simulation_threads(const simulation *sim);
 
 /** From now on a step that may take long checks *stop: with `contact: barrier` in each iteration,
  *  and otherwise after each of its parts if it has been halved. If *stop is not 0, simulation_step
- *  restores the state before the step and returns 1. Keeps the pointer. Returns 0, or -1 if out of
- *  memory. */
-int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
+ *  restores the state before the step and returns 1, unless memory was short. Keeps the pointer. */
+void simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
 /** Makes one step of the scene: the four phases, timed, repeated until the step's end is reached.
  *  Returns 0, or 1 if stopped, or -1 with a message in error[256] if no state within the scene's

@@ -86,7 +86,7 @@ struct simulation {
     team team;                    /* chooses the number of threads */
     struct run_account account;
     const volatile sig_atomic_t *stop; /* nonzero ends a step at once; NULL if nothing can end it */
-    unsigned char *kept; /* if `stop` is set: the state before a step that may be ended */
+    unsigned char *kept; /* the state before the last step that could be ended, or NULL */
     arrays own;          /* mass, state, the step's vectors */
 };
 
