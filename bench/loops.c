@@ -489,9 +489,10 @@ int main(int count, char **arguments) {
             warm > 0 ? ratios(taken[SERIAL], taken[variant], rounds) : (struct spread){0, 0, 0};
         const double mine = spread_of(taken[variant], rounds).median;
         const int ours = variant == REDCC;
-        const double extra = ours                ? (double)kept.extra.bytes
-                             : variant == ATOMIC ? 0
-                                                 : bytes * kept.threads;
+        const double copies = variant == ATOMIC     ? 0
+                              : variant == SECTIONS ? omp_get_max_threads()
+                                                    : omp_get_max_threads() - 1;
+        const double extra = ours ? (double)kept.extra.bytes : copies * bytes;
         printf("%s,%s,%s%s,%d,%s,%.6f,%.6f,%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.2f\n", arguments[1],
                arguments[2], ours && !getenv("REDCC_METHOD") ? "auto=" : "",
                ours ? kept.method ? kept.method->name : "serial" : names[variant],
