@@ -444,12 +444,16 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
                       .lanes = ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1),
                       .obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1)};
     assert(options->order <= ORDER_ANY);
+    const char **in_order = ARENA_ARRAY(a, const char *, analysis->verdict_count + 1);
     emit_result result = {.text = unit->source->text,
                           .length = unit->source->length,
                           .obstacles = file.obstacles,
-                          .lanes = file.lanes};
+                          .lanes = file.lanes,
+                          .in_order = in_order};
     file.plans = obstacle ? ARENA_ARRAY(a, const loop_plan *, analysis->verdict_count + 1)
                           : plan_loops(a, unit, file.seen, analysis, options);
+    for (unsigned i = 0; i < analysis->verdict_count; i++)
+        in_order[i] = file.plans[i] ? file.plans[i]->execution.in_order : NULL;
     write_file(&file, &result);
     for (unsigned i = 0; obstacle && i < analysis->verdict_count; i++)
         if (verdict_is_written(&analysis->verdicts[i]))

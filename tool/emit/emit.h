@@ -42,6 +42,9 @@ typedef struct emit_result {
     /* For each verdict, whether a form for several iterations at once was written, or why not.
      * LANES_NOT_ASKED: no such form was requested. NULL if no verdict's loop is to be written. */
     const lanes_outcome *lanes;
+    /* For each verdict, why updates that OpenMP leaves unordered keep the order of the loop; NULL
+     * if there are none, or they do not. NULL as a whole if no verdict's loop is to be written. */
+    const char *const *in_order;
 } emit_result;
 
 /** Writes all loops whose verdict is VERDICT_TRANSFORM or VERDICT_BLOCKS. All results are allocated

@@ -62,7 +62,7 @@ static void plan_form(loop_plan *plan) {
     else
         plan_bins(plan);
     assert((plan->bins == NULL) == (plan->no_bins != NULL));
-    plan->execution.is_unordered = plan_is_unordered(plan);
+    plan_unordered(plan);
     if (plan->execution.is_unordered && plan->execution.order == ORDER_SERIAL)
         plan->execution.order = ORDER_FIXED;
     plan->no_lanes = plan_lanes(plan);

@@ -56,8 +56,10 @@ typedef struct execution_plan {
     bool is_over_blocks;   /* inspection is short, even if iterations are long */
     int64_t work;          /* operations of an iteration (work.h) */
     const array_section *sections; /* by array (sections.h), or NULL if the loop has none */
-    bool is_unordered;  /* updates may be made in a fixed order, on private copies (sections.h) */
-    result_order order; /* the order that the results keep */
+    bool is_unordered;    /* updates may be made in a fixed order, on private copies (sections.h) */
+    const char *in_order; /* if `atomic` or `critical` protect the updates, but they keep the order
+                           * of the loop: the reason. Else NULL */
+    result_order order;   /* the order that the results keep */
 } execution_plan;
 
 /** An indexed load base[subscript]; both are variables of the loop's function. */

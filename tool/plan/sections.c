@@ -144,20 +144,42 @@ const array_section *plan_sections(const loop_plan *plan) {
     return sections;
 }
 
-bool plan_is_unordered(const loop_plan *plan) {
+/* The reason why protected updates keep the order of the loop, or NULL. */
+static const char *why_in_order(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    const openmp_loop *openmp = facts->variables.openmp;
     const bins_plan *bins = plan->bins;
-    if (!openmp || !openmp->has_locks || asks_sequential(plan) || !may_be_reordered(facts) ||
-        !bins || bins->is_checked)
-        return false;
+    if (asks_sequential(plan))
+        return "--order=serial";
     for (unsigned i = 0; i < facts->array_count; i++)
-        if (!may_be_copied(plan, &facts->arrays[i]) || facts->arrays[i].is_scattered)
-            return false;
+        if (facts->arrays[i].is_interleaved)
+            return arena_format(plan->arena,
+                                "memory between the updated elements of '%s' holds other data",
+                                facts->arrays[i].name);
+    if (facts->slice.exits)
+        return "an iteration may end the loop, or print";
+    if (!may_be_reordered(facts))
+        return "its results depend on the order";
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (!may_be_copied(plan, &facts->arrays[i]))
+            return "a sanitizer checks signed sums for overflow";
+    if (!bins)
+        return plan->no_bins;
+    if (bins->is_checked)
+        return "what it updates may overlap subscripts or conditions of its reads; declare "
+               "pointers "
+               "to updated arrays restrict";
     for (unsigned i = 0; i < bins->stream_count; i++)
         if (span_of_stream(bins, i))
-            return false;
-    return facts->array_count > 0;
+            return "an inner loop updates consecutive elements";
+    return facts->array_count > 0 ? NULL : "it updates no array";
+}
+
+void plan_unordered(loop_plan *plan) {
+    const openmp_loop *openmp = plan->facts->variables.openmp;
+    if (!openmp || !openmp->has_locks)
+        return;
+    plan->execution.in_order = why_in_order(plan);
+    plan->execution.is_unordered = !plan->execution.in_order;
 }
 
 bool is_reordered(const loop_plan *plan) {

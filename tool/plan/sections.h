@@ -12,10 +12,10 @@
  * require the sequential order. */
 const array_section *plan_sections(const loop_plan *plan);
 
-/** Do `atomic` or `critical` protect the loop's updates, so that their order is open, and may all
- * of them be made on private copies while bins are filled (runtime/src/bins/shares.h)? Requires the
- * plan for bins. */
-bool plan_is_unordered(const loop_plan *plan);
+/** `atomic` or `critical` protect the loop's updates, so that their order is open. May all of them
+ * be made on private copies while bins are filled (runtime/src/bins/shares.h)? Sets is_unordered,
+ * or in_order if they are protected and may not. Requires the plan for bins. */
+void plan_unordered(loop_plan *plan);
 
 /** May the loop be executed in a fixed order that is not its own? */
 bool is_reordered(const loop_plan *plan);

@@ -183,10 +183,12 @@ static const lanes_remark *lanes_remarks(arena *a, const emit_result *written, u
 }
 
 static report_input report_on(const options *o, const ir_unit *unit,
-                              const analysis_result *analysis, const lanes_remark *lanes) {
+                              const analysis_result *analysis, const lanes_remark *lanes,
+                              const char *const *in_order) {
     return (report_input){.unit = unit,
                           .analysis = analysis,
                           .lanes = lanes,
+                          .in_order = in_order,
                           .version = REDCC_VERSION,
                           .order = options_order_word(o->order.word),
                           .all = o->report.all,
@@ -408,8 +410,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     }
     const analysis_result final =
         after_writing(a, in.unit, &in.analysed, &written, &by.asked, external);
-    const report_input input =
-        report_on(o, in.unit, &final, lanes_remarks(a, &written, final.verdict_count));
+    const report_input input = report_on(
+        o, in.unit, &final, lanes_remarks(a, &written, final.verdict_count), written.in_order);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
@@ -427,7 +429,7 @@ static file_outcome leave_translated(arena *a, const options *o, const source *f
     fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
     const ir_unit unit = {.arena = a, .source = file};
     const analysis_result nothing = {0};
-    const report_input input = report_on(o, &unit, &nothing, NULL);
+    const report_input input = report_on(o, &unit, &nothing, NULL, NULL);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->output)
         wrong = output_write(a, o->output, file->text, file->length);

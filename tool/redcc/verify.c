@@ -10,6 +10,7 @@
 #include "driver/process.h"
 #include "driver/temporary.h"
 #include "redcc/output.h"
+#include "support/compiler_options.h"
 
 /** The files of one verification, in one temporary folder. */
 typedef struct workplace {
@@ -95,6 +96,15 @@ static void execute(const workplace *w, program *p, bool is_parallel) {
     p->status = process_run(w->arena, &words, (process_streams){"/dev/null", p->output, NULL});
 }
 
+static bool uses_openmp(const string_list *flags) {
+    for (unsigned i = 0; i < flags->count; i++) {
+        const option *known = option_find(flags->items[i]);
+        if (known && known->meaning & OPTION_OPENMP)
+            return true;
+    }
+    return false;
+}
+
 /** The line number of the first difference between two texts. */
 static unsigned first_difference(const char *left, const char *right) {
     unsigned line = 1;
@@ -114,8 +124,12 @@ static const char *compare(const workplace *w, const program *left, const progra
         return "--verify: what the programs printed cannot be read";
     if (file_equal(w->arena, left->output, right->output))
         return NULL;
-    return arena_format(w->arena, "--verify: the programs print different text, first in line %u",
-                        first_difference(left_text, right_text));
+    return arena_format(w->arena, "--verify: the programs print different text, first in line %u%s",
+                        first_difference(left_text, right_text),
+                        uses_openmp(w->flags)
+                            ? "; with -fopenmp the original program's own threads may add in "
+                              "another order: to compare with a sequential one, omit -fopenmp"
+                            : "");
 }
 
 static const char *verify_in(workplace *w, const source *input, const char *text, size_t length) {

@@ -27,8 +27,14 @@ static int64_t constant_trip(const counted_loop *counted) {
     return distance <= 0 ? 0 : (distance + step - 1) / step;
 }
 
-static plan_answer remade(arena *a, const unkept_read *read) {
+static plan_answer remade(arena *a, const loop_slice *slice) {
+    const unkept_read *read = &slice->unkept;
     plan_answer answer = {.word = "remade", .range = read->range};
+    if (slice->exits) {
+        answer.cause = "an iteration may end the loop here, or print";
+        answer.advice = "check the data in a loop of its own first";
+        return answer;
+    }
     if (!read->name) {
         answer.cause = "what decides which elements are updated cannot be compared";
         return answer;
@@ -54,6 +60,6 @@ plan_answer verdict_plan(arena *a, const loop_verdict *verdict) {
     if (!facts->inspector.exists)
         return (plan_answer){.word = "none"};
     if (!facts->slice.is_verifiable)
-        return remade(a, &facts->slice.unkept);
+        return remade(a, &facts->slice);
     return (plan_answer){.word = "kept"};
 }

@@ -20,11 +20,13 @@ typedef struct lanes_remark {
 typedef struct report_input {
     const ir_unit *unit;
     const analysis_result *analysis;
-    const char *version;       /* version of redcc */
-    const char *order;         /* value of --order */
-    const lanes_remark *lanes; /* indexed by verdict, or NULL if such a form was requested for no
-                                * loop */
-    bool all;                  /* SARIF: include loops that need no review (kind `pass`) */
+    const char *version;         /* version of redcc */
+    const char *order;           /* value of --order */
+    const lanes_remark *lanes;   /* indexed by verdict, or NULL if such a form was requested for no
+                                  * loop */
+    const char *const *in_order; /* indexed by verdict: why updates that OpenMP leaves unordered
+                                  * keep the order of the loop, or NULL; NULL as a whole: unknown */
+    bool all;                    /* SARIF: include loops that need no review (kind `pass`) */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */
     const char *(*explain)(arena *a, const char *reason);

@@ -98,6 +98,11 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                     "");
     }
     say_plan(a, out, input, verdict);
+    const char *in_order =
+        input->in_order ? input->in_order[verdict - input->analysis->verdicts] : NULL;
+    if (in_order)
+        message(out, input, verdict_offset(verdict), "note",
+                arena_format(a, "the updates keep the sequential order: %s", in_order), "");
     const lanes_remark *lanes = verdict_lanes(input, verdict);
     if (lanes && lanes->slug)
         message(out, input, lanes->range.begin, "note",

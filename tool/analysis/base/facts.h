@@ -409,10 +409,10 @@ typedef struct loop_span {
     const ir_variable *others[MOST_STEPPED];
 } loop_span;
 
-/** A read that prevents keeping a plan of the loop for later executions. */
+/** A read, or an exit, that prevents keeping a plan of the loop for later executions. */
 typedef struct unkept_read {
     const char *name; /* name of the memory that is read; NULL if there is no such read */
-    ir_range range;   /* range of the read, or of the call that makes it */
+    ir_range range;   /* range of the read, of the call that makes it, or of the exit */
 } unkept_read;
 
 /** A loop's variables, except the scalars in scalar_update. */
@@ -449,8 +449,8 @@ typedef struct loop_slice {
                              * expression give the same bits */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
                          * trip count are unchanged (runtime: REDCC_VERIFIABLE) */
-    unkept_read unkept; /* if not is_verifiable, the first read that prevents it, or the condition
-                         * to leave the loop; without a name if neither is the cause */
+    unkept_read unkept; /* if not is_verifiable, the first exit or read that prevents it; empty if
+                         * neither is the cause */
 } loop_slice;
 
 /** The inspector: the code that executes the slice to record the rows that each iteration

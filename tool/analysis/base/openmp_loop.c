@@ -118,8 +118,10 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         result->kept = "several directives above the loop";
     else if (function)
         result->kept = arena_format(a, "the loop asks %s", function);
-    else if (openmp_has_devices(unit))
-        result->kept = "code for devices in the file";
+    else if (openmp_has_devices(unit)) {
+        result->kept = OPENMP_DEVICES;
+        result->is_kept_for_devices = true;
+    }
     return result;
 }
 

@@ -18,6 +18,7 @@ typedef struct openmp_loop {
                         * loop */
     const char *kept;  /* why the directives must be kept, as far as their text shows it; NULL if
                         * no reason has been found */
+    bool is_kept_for_devices; /* `kept` is about the whole file (openmp_has_devices) */
 } openmp_loop;
 
 typedef struct blocked_scalar {
@@ -66,6 +67,12 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
 
 /** May the file contain code that devices also execute? Such code cannot use the runtime. */
 bool openmp_has_devices(const ir_unit *unit);
+
+/** The reason why directives of such a file are kept, and what to do about it. */
+#define OPENMP_DEVICES "code for devices in the file"
+#define OPENMP_DEVICES_ADVICE                                                                      \
+    "move the code with 'omp target' or 'declare target' to another file, or compile without "     \
+    "-fopenmp"
 
 /** Does the variable have the same value after the loop as before it, because the directives
  *  `above` make it private to each thread? If so, a loop executed without them must restore the

@@ -426,9 +426,11 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         is_stable = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->left_out.exits) { /* the check before a plan is reused would make reads that the
-                              * program may never make */
-        j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
+    const loop_exits *exits = j->left_out.exits;
+    if (exits) { /* the check before a plan is reused would make reads that the program may never
+                  * make */
+        j->slice.unkept = (unkept_read){.range = exits->count > 0 ? exits->items[0].statement->range
+                                                                  : j->loop->range};
         j->slice.is_verifiable = false;
     }
     j->slice.is_verifiable = j->slice.is_verifiable && is_stable && has_rows;

@@ -90,9 +90,12 @@ static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     if (nest)
         return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop,
                                arena_format(j->an->memory, "'%s', of a loop around it", nest));
-    return openmp && openmp->kept
-               ? analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, openmp->kept)
-               : (reason){0};
+    if (!openmp || !openmp->kept)
+        return (reason){0};
+    reason kept = analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, openmp->kept);
+    if (openmp->is_kept_for_devices)
+        kept.advice = OPENMP_DEVICES_ADVICE;
+    return kept;
 }
 
 static reason check_directives(const loop_analysis *j) {

@@ -16,7 +16,8 @@ typedef struct search {
     const analyser *an;
     const ir_function *function;
     ir_node *loop;
-    const char *why; /* the first reason against fixed blocks; NULL if none has been found */
+    const char *why;     /* the first reason against fixed blocks; NULL if none has been found */
+    bool is_for_devices; /* that reason is OPENMP_DEVICES */
 } search;
 
 static void refuse(search *s, const char *format, const char *name) {
@@ -211,8 +212,10 @@ static void check_body(search *s, const fixed_blocks *blocks) {
         refuse(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
     if (begins_under_condition(s))
         refuse(s, "'%s' has several beginnings", s->function->name);
-    if (openmp_has_devices(unit))
-        refuse(s, "%s", "code for devices in the file");
+    if (openmp_has_devices(unit)) {
+        s->is_for_devices = !s->why;
+        refuse(s, "%s", OPENMP_DEVICES);
+    }
     if (is_shared_inline(s->function, unit->source))
         refuse(s, "'%s' is inline but not static: it cannot hold static data", s->function->name);
     if (s->function->has_errors || unit->dialect.refusing_option)
@@ -306,5 +309,7 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
                                    arena_format(an->memory, "%s, in '%s'", s.why,
                                                 openmp_plain_text(an->memory, above->text)),
                                    loop->range);
+    if (s.is_for_devices)
+        verdict->why.advice = OPENMP_DEVICES_ADVICE;
     return true;
 }
