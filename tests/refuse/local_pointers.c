@@ -93,3 +93,23 @@ void address_of_pointer(int n, const int *k, double (*b)[3], void (*f)(double **
         row[0] += 1.0;
     }
 }
+
+void chosen_with_a_cast(int n, const int *k, double *a, char *bytes, int flag) {
+    double *h = flag ? (double *)bytes : a;
+    for (int t = 0; t < n; t++) // EXPECT: refuse base-varies
+        h[k[t]] += 1.0;
+}
+
+void chosen_and_read(int n, const int *k, double *a, double *b, int flag) {
+    double *h = flag ? a : b;
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[k[t]] += h[t];
+}
+
+void chosen_again(int n, const int *k, double *a, double *b) {
+    double *h = n > 9 ? a : b;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse base-varies
+        h[k[t]] += 1.0;
+        h = k[t] > 200 ? b : h;
+    }
+}
