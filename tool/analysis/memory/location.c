@@ -137,10 +137,43 @@ static unsigned pointer_side(const ir_node *sum) {
     return left && (left->kind == IR_POINTER || left->kind == IR_ARRAY) ? 0 : 1;
 }
 
-/* Can the evaluation of a pointer's definition be repeated? True if the definition contains no call
- * and no assignment. */
-static bool is_followed(const ir_node *value) {
-    return value->kind != IR_INITIALIZERS && expression_is_plain(value);
+/* Does the integer expression contain no assignment and no opaque node? Calls are permitted. */
+static bool is_distance(const ir_node *node) {
+    if (node->kind == IR_OPAQUE || expression_written(node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_distance(node->children[i]))
+            return false;
+    return true;
+}
+
+/* Is it an lvalue such as base[n] or base[n].f, in which only n calls functions? */
+static bool is_moved_place(const ir_node *place) {
+    const ir_node *child = ir_child(place, 0);
+    if (place->kind == IR_MEMBER && !(place->flags & IR_ARROW))
+        return is_moved_place(child);
+    if (place->kind != IR_INDEX)
+        return expression_is_plain(place);
+    return is_distance(place->children[1]) &&
+           (ir_is_array(child) ? is_moved_place(child) : expression_is_plain(child));
+}
+
+/* Is the pointer base + n, base - n, &base[n], or an array base[n], in which only n calls
+ * functions? It points into what base points into, whatever the calls return. */
+static bool is_moved_by_call(const ir_node *value) {
+    if (value->kind == IR_UNARY && value->op == IR_OP_ADDRESS)
+        return is_moved_place(value->children[0]);
+    if (value->kind != IR_BINARY || (value->op != IR_OP_ADD && value->op != IR_OP_SUBTRACT))
+        return ir_is_array(value) && is_moved_place(value);
+    const unsigned side = pointer_side(value);
+    return expression_is_plain(value->children[side]) && is_distance(value->children[1 - side]);
+}
+
+/* Does the pointer's definition show what it points into? It must contain no call and no
+ * assignment. For the analysis of a loop, calls may compute distances (is_moved_by_call). */
+static bool is_followed(const query *q, const ir_node *value) {
+    return value->kind != IR_INITIALIZERS &&
+           (expression_is_plain(value) || (q->scope && is_moved_by_call(value)));
 }
 
 static const ir_node *without_pointer_casts(const ir_node *value) {
@@ -211,7 +244,7 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
     assert(node->kind == IR_VARIABLE && depth <= LOOK_THROUGH_LIMIT);
     const ir_node *value = variable_single_definition(q->facts, node->variable);
     const ir_node *start = value ? NULL : variable_walk_start(q->facts, node->variable, q->scope);
-    if (start && is_followed(start) && depth < LOOK_THROUGH_LIMIT) {
+    if (start && is_followed(q, start) && depth < LOOK_THROUGH_LIMIT) {
         location l = pointed_location(q, start, depth + 1);
         move_by_unknown(&l);
         return l;
@@ -226,7 +259,7 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
     const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
     if (is_choice_before(q, value, place))
         return pointer_base(node);
-    if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
+    if (depth >= LOOK_THROUGH_LIMIT || !is_followed(q, value))
         return is_result(value) ? pointer_base(node) : unknown_location();
     location l = pointed_location(q, value, depth + 1);
     if (q->scope && !ir_contains(q->scope, place))
