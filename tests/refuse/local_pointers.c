@@ -93,3 +93,69 @@ void address_of_pointer(int n, const int *k, double (*b)[3], void (*f)(double **
         row[0] += 1.0;
     }
 }
+
+struct mesh {
+    struct cell *cells;
+};
+
+static int wrapped(int k) {
+    while (k > 99)
+        k -= 100;
+    return k;
+}
+
+static int moving(struct mesh *m, int k) {
+    m->cells++;
+    return wrapped(k);
+}
+
+void base_set_in_the_loop(int n, const int *k, struct mesh *m, struct cell *other) {
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        struct cell *p = m->cells + wrapped(k[t]);
+        p->sum += 1.0;
+        if (k[t] > 200)
+            m->cells = other;
+    }
+}
+
+void base_set_by_the_call(int n, const int *k, struct mesh *m) {
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        struct cell *p = m->cells + moving(m, k[t]);
+        p->sum += 1.0;
+    }
+}
+
+void base_stepped(int n, const int *k, double *b) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse base-varies
+        double *p = &b[wrapped(k[t])];
+        *p += 1.0;
+        b++;
+    }
+}
+
+void read_by_distance(int n, const int *k, double *b) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        double *p = &b[wrapped(k[t])];
+        *p += b[t];
+    }
+}
+
+void chosen_with_a_cast(int n, const int *k, double *a, char *bytes, int flag) {
+    double *h = flag ? (double *)bytes : a;
+    for (int t = 0; t < n; t++) // EXPECT: refuse base-varies
+        h[k[t]] += 1.0;
+}
+
+void chosen_and_read(int n, const int *k, double *a, double *b, int flag) {
+    double *h = flag ? a : b;
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[k[t]] += h[t];
+}
+
+void chosen_again(int n, const int *k, double *a, double *b) {
+    double *h = n > 9 ? a : b;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse base-varies
+        h[k[t]] += 1.0;
+        h = k[t] > 200 ? b : h;
+    }
+}

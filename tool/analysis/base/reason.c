@@ -29,7 +29,8 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_ARRAY_STORED] =
         "make the store a separate statement, and move one to a fixed element behind the loop",
     [REASON_BASE_VARIES] =
-        "write an update for each array, each under its condition, or set the local pointer once",
+        "write an update for each array, each under its condition, or set the local pointer "
+        "once, to an element of one array",
     [REASON_ROW_POINTERS] =
         "use one contiguous array, double (*a)[m], or a table of pointers made before the loop",
     [REASON_BIT_FIELD] = "use an unsigned char for each of the bit-fields",

@@ -131,31 +131,91 @@ static bool same_pointee(const ir_type *a, const ir_type *b) {
     return a && b && a->target && b->target && ir_type_equal(a->target, b->target);
 }
 
-/* Can the evaluation of a pointer's definition be repeated? True if the definition contains no call
- * and no assignment. */
-static bool is_followed(const ir_node *value) {
-    return value->kind != IR_INITIALIZERS && expression_is_plain(value);
+/* The operand of pointer + n, n + pointer or pointer - n that is the pointer or array. */
+static unsigned pointer_side(const ir_node *sum) {
+    const ir_type *left = sum->children[0]->type;
+    return left && (left->kind == IR_POINTER || left->kind == IR_ARRAY) ? 0 : 1;
+}
+
+/* Does the integer expression contain no assignment and no opaque node? Calls are permitted. */
+static bool is_distance(const ir_node *node) {
+    if (node->kind == IR_OPAQUE || expression_written(node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_distance(node->children[i]))
+            return false;
+    return true;
+}
+
+/* Is it an lvalue such as base[n] or base[n].f, in which only n calls functions? */
+static bool is_moved_place(const ir_node *place) {
+    const ir_node *child = ir_child(place, 0);
+    if (place->kind == IR_MEMBER && !(place->flags & IR_ARROW))
+        return is_moved_place(child);
+    if (place->kind != IR_INDEX)
+        return expression_is_plain(place);
+    return is_distance(place->children[1]) &&
+           (ir_is_array(child) ? is_moved_place(child) : expression_is_plain(child));
+}
+
+/* Is the pointer base + n, base - n, &base[n], or an array base[n], in which only n calls
+ * functions? It points into what base points into, whatever the calls return. */
+static bool is_moved_by_call(const ir_node *value) {
+    if (value->kind == IR_UNARY && value->op == IR_OP_ADDRESS)
+        return is_moved_place(value->children[0]);
+    if (value->kind != IR_BINARY || (value->op != IR_OP_ADD && value->op != IR_OP_SUBTRACT))
+        return ir_is_array(value) && is_moved_place(value);
+    const unsigned side = pointer_side(value);
+    return expression_is_plain(value->children[side]) && is_distance(value->children[1 - side]);
+}
+
+/* Does the pointer's definition show what it points into? It must contain no call and no
+ * assignment. For the analysis of a loop, calls may compute distances (is_moved_by_call). */
+static bool is_followed(const query *q, const ir_node *value) {
+    return value->kind != IR_INITIALIZERS &&
+           (expression_is_plain(value) || (q->scope && is_moved_by_call(value)));
+}
+
+static const ir_node *without_pointer_casts(const ir_node *value) {
+    while (value->kind == IR_CAST && value->children[0]->type &&
+           value->children[0]->type->kind == IR_POINTER)
+        value = value->children[0];
+    return value;
 }
 
 /* Is the value the result of a call, as in f(...) or (double *)f(...)? It is then a separate
  * pointer with an unknown target. */
 static bool is_result(const ir_node *value) {
-    while (value->kind == IR_CAST && value->children[0]->type &&
-           value->children[0]->type->kind == IR_POINTER)
-        value = value->children[0];
-    return value->kind == IR_CALL;
+    return without_pointer_casts(value)->kind == IR_CALL;
+}
+
+/* Is it a cast from a pointer to another type? Casts of void pointers, and of null, are not. */
+static bool is_punning(const ir_node *node) {
+    const ir_type *from = node->kind == IR_CAST ? node->children[0]->type : NULL;
+    return from && (from->kind == IR_POINTER || from->kind == IR_ARRAY) && from->target &&
+           from->target->kind != IR_VOID && !same_pointee(node->type, from);
+}
+
+/* Is the value a choice between pointers, as in flag ? a : b or (flag ? a : b) + n? A pointer that
+ * is given such a value before the loop `scope` is a separate pointer with an unknown target.
+ * Objects to which the choices point escape (variable_escapes), so it may point into them. */
+static bool is_choice_before(const query *q, const ir_node *value, const ir_node *place) {
+    if (!q->scope || ir_contains(q->scope, place) || ir_any(value, is_punning))
+        return false;
+    value = without_pointer_casts(value);
+    while (value->kind == IR_BINARY && (value->op == IR_OP_ADD || value->op == IR_OP_SUBTRACT))
+        value = without_pointer_casts(value->children[pointer_side(value)]);
+    return value->kind == IR_CONDITIONAL;
 }
 
 /* The location of pointer + n, n + pointer or pointer - n. */
 static location moved_location(const query *q, const ir_node *node, unsigned depth) {
     assert(node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT));
-    const ir_node *left = node->children[0];
-    const bool left_is_pointer =
-        left->type && (left->type->kind == IR_POINTER || left->type->kind == IR_ARRAY);
-    location l = pointed_location(q, node->children[left_is_pointer ? 0 : 1], depth);
+    const unsigned side = pointer_side(node);
+    location l = pointed_location(q, node->children[side], depth);
     if (l.step_count && !l.steps[l.step_count - 1].field)
         l.steps[l.step_count - 1].subscript = NULL;
-    else if (!is_zero(node->children[left_is_pointer ? 1 : 0]))
+    else if (!is_zero(node->children[1 - side]))
         leave_single_object(&l);
     return l;
 }
@@ -184,7 +244,7 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
     assert(node->kind == IR_VARIABLE && depth <= LOOK_THROUGH_LIMIT);
     const ir_node *value = variable_single_definition(q->facts, node->variable);
     const ir_node *start = value ? NULL : variable_walk_start(q->facts, node->variable, q->scope);
-    if (start && is_followed(start) && depth < LOOK_THROUGH_LIMIT) {
+    if (start && is_followed(q, start) && depth < LOOK_THROUGH_LIMIT) {
         location l = pointed_location(q, start, depth + 1);
         move_by_unknown(&l);
         return l;
@@ -195,11 +255,13 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
     if (!value)
         return pointer_base(node);
     /* variable_escapes relies on this: a pointer with one definition is either replaced by it or
-     * unknown */
-    if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
+     * unknown, unless the definition is a call or a choice */
+    const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
+    if (is_choice_before(q, value, place))
+        return pointer_base(node);
+    if (depth >= LOOK_THROUGH_LIMIT || !is_followed(q, value))
         return is_result(value) ? pointer_base(node) : unknown_location();
     location l = pointed_location(q, value, depth + 1);
-    const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
     if (q->scope && !ir_contains(q->scope, place))
         l.base = node;
     return l;
