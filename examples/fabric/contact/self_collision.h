@@ -133,7 +133,7 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]);
 
 /** Finds the pairs that may meet in the step. If `within` is finite, leaves out those whose swept
- *  boxes are more than `within` (m) apart along some axis. Returns 0, or -1 if out of memory or if
+ *  boxes are more than `within` (m) apart along an axis. Returns 0, or -1 if out of memory or if
  *  a number is not finite. */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3],
                    double within);
@@ -142,7 +142,7 @@ int self_grid_find(self_collision *s, double h, const double (*x)[3], const doub
 void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
                       double start[4][3], double end[4][3]);
 
-/** Are the boxes that the two features sweep more than `separation` (m) apart along some axis? Most
+/** Are the boxes that the two features sweep more than `separation` (m) apart along an axis? Most
  *  pairs are, so this test comes first. */
 int self_pair_keeps_distance(const int vertex[4], int is_edges, double separation, double h,
                              const double (*x)[3], const double (*v)[3]);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Chooses owners by majority votes. The iterations are divided into consecutive parts with equal
- * numbers of touches, one part for each owner. A block of rows belongs to the owner most of whose
- * iterations touch it, except that each change of owners between adjacent blocks costs some votes.
- * So rows that are stored after all others (halo cells, ghost atoms) belong to the thread that
- * updates their neighbours. Arrays with the same number of rows vote together. The loop's result
- * does not depend on the map, which only assigns work to threads.
+ * numbers of touches, one part for each owner. A block of rows belongs to the owner with the most
+ * iterations that touch it, except that each change of owners between adjacent blocks costs some
+ * votes. So rows that are stored after all others (halo cells, ghost atoms) belong to the thread
+ * that updates their neighbours. Arrays with the same number of rows vote together. The loop's
+ * result does not depend on the map, which only assigns work to threads.
  */
 #ifndef REDCC_OWNER_MAP_H
 #define REDCC_OWNER_MAP_H
