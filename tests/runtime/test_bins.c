@@ -334,6 +334,27 @@ static void small_integers_are_copied(void **unused) {
     free_data(&data);
 }
 
+/* The subscripts lie directly behind the rows. A margin of the copies would overlap them, so the
+ * copies get no margin. */
+static void copies_beside_what_is_read(void **unused) {
+    (void)unused;
+    struct data data = new_data(&uint32_sum, 4096, 100000, UNIFORM, 8);
+    char *memory = malloc(data.bytes + 100000 * sizeof(int));
+    int *k = (int *)(void *)(memory + data.bytes), last;
+    memcpy(memory, data.before, data.bytes);
+    memcpy(k, data.problem.k, 100000 * sizeof *k);
+    struct binned_problem beside = data.problem;
+    beside.rows = memory + data.bytes / 2;
+    beside.k = k;
+    assert_true(uint32_sum.run(&beside, 2, &last));
+    assert_memory_equal(memory, data.expected, data.bytes);
+    const struct private_copies *copies = &state_of(&uint32_sum)->binning.copies;
+    assert_int_equal(copies->count > 0, takes_copies(&uint32_sum));
+    assert_int_equal(copies->are_tight, takes_copies(&uint32_sum));
+    free(memory);
+    free_data(&data);
+}
+
 /* Rows outside the expected range are found only because rounds fail, several times. Rows that do
  * not exist are never copied: no memory is mapped behind the array. */
 static void rows_are_found_late(void **unused) {
@@ -418,12 +439,19 @@ int main(void) {
     usual_tuning = redcc_bins_tuning;
     usual = &usual_tuning;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(floats_are_never_copied),  cmocka_unit_test(the_last_iteration_is_claimed),
-        cmocka_unit_test(slow_pushing_is_given_up), cmocka_unit_test(every_operator),
-        cmocka_unit_test(rounds_of_every_size),     cmocka_unit_test(bins_of_every_size),
-        cmocka_unit_test(random_problems),          cmocka_unit_test(trials),
-        cmocka_unit_test(other_subscripts),         cmocka_unit_test(small_integers_are_copied),
-        cmocka_unit_test(rows_are_found_late),      cmocka_unit_test(uneven_iterations),
+        cmocka_unit_test(floats_are_never_copied),
+        cmocka_unit_test(the_last_iteration_is_claimed),
+        cmocka_unit_test(slow_pushing_is_given_up),
+        cmocka_unit_test(every_operator),
+        cmocka_unit_test(rounds_of_every_size),
+        cmocka_unit_test(bins_of_every_size),
+        cmocka_unit_test(random_problems),
+        cmocka_unit_test(trials),
+        cmocka_unit_test(other_subscripts),
+        cmocka_unit_test(small_integers_are_copied),
+        cmocka_unit_test(rows_are_found_late),
+        cmocka_unit_test(uneven_iterations),
+        cmocka_unit_test(copies_beside_what_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -121,7 +121,8 @@ struct bins_trial {
 /** Private copies. */
 struct private_copies {
     int count;        /* their number in this execution; 0: it uses records */
-    bool are_denied;  /* the guard failed with private copies; records, whose ranges are more
+    bool are_tight;   /* the guard failed with windows that have a margin: they begin without one */
+    bool are_denied;  /* the guard failed without a margin as well; records, whose ranges are more
                          precise, may pass */
     bool are_neutral; /* the last merge has made all copies neutral, and nothing has changed them */
     bool need_filling; /* in this execution */

@@ -56,11 +56,21 @@ static struct row_range reached_rows(const struct binning *binning, uint32_t s) 
     return rows;
 }
 
-/* The rows that the round will write: their exact range, or the range of the bins in use. */
-static struct row_range written_rows(const struct binning *binning, uint32_t s, bool exact) {
+/* Which rows count as updated by the round. */
+enum updated {
+    UPDATED_BINS, /* all rows of the used bins */
+    UPDATED_ROWS, /* the rows from the first to the last record */
+    STORED_ROWS   /* the same or, in private copies, only the rows that have changed in the end */
+};
+
+/* The range of the rows that the round has updated. The rows of a private copy that are unchanged
+ * in the end do not suffice: after `h[r] ^= 2` was executed twice, h[r] is unchanged, but an
+ * iteration in between may have read it. So all rows that copies have may be updated. */
+static struct row_range updated_rows(const struct binning *binning, uint32_t s,
+                                     enum updated which) {
     const struct window window = binning->stream[s].window;
     if (binning->copies.count)
-        return exact ? redcc_private_rows(binning, s) : redcc_window_rows(window);
+        return which == STORED_ROWS ? binning->stream[s].changed : redcc_window_rows(window);
     if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
         return reached_rows(binning, s);
     const struct used_bins used = redcc_used_bins(binning, s);
@@ -68,22 +78,22 @@ static struct row_range written_rows(const struct binning *binning, uint32_t s, 
         return redcc_no_rows;
     const redcc_int low = window.first + ((redcc_int)used.first << window.shift);
     const redcc_int end = window.first + ((redcc_int)used.end << window.shift);
-    if (!exact)
+    if (which == UPDATED_BINS)
         return (struct row_range){low, end - 1};
     return (struct row_range){low + places_in(binning, s, used.first).lowest,
                               end - ((redcc_int)1 << window.shift) +
                                   places_in(binning, s, used.end - 1).highest};
 }
 
-/* The range of an array of the loop that the round will write. */
-static struct range written_of(const struct binning *binning, uint32_t array, bool exact) {
+/* The range of an array of the loop that the round has updated. */
+static struct range updated_of(const struct binning *binning, uint32_t array, enum updated which) {
     struct range range = redcc_nowhere;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
         for (uint32_t a = 0; a < stream->array_count; a++) {
             if (stream->arrays[a] != array)
                 continue;
-            const struct row_range rows = written_rows(binning, s, exact);
+            const struct row_range rows = updated_rows(binning, s, which);
             if (!redcc_rows_empty(rows))
                 range = (struct range){redcc_row_address(binning, stream, a, rows.lowest),
                                        redcc_row_address(binning, stream, a, rows.highest + 1)};
@@ -111,11 +121,11 @@ static bool are_disjoint(const struct range *written, uint32_t count) {
     return true;
 }
 
-static enum reason ask(struct binning *binning, bool exact, struct range *written,
+static enum reason ask(struct binning *binning, enum updated which, struct range *written,
                        struct range *read) {
     const redcc_loop *loop = &binning->loop->loop;
     for (uint32_t array = 0; array < loop->array_count; array++)
-        written[array] = written_of(binning, array, exact);
+        written[array] = updated_of(binning, array, which);
     if (!redcc_ranges_are_disjoint(loop, read, written, loop->array_count, &binning->overlap))
         return REASON_OVERLAP;
     if (!are_disjoint(written, loop->array_count))
@@ -131,9 +141,9 @@ enum reason redcc_bins_guard(struct binning *binning) {
     enum reason reason = REASON_NO_MEMORY;
     if (written && read) {
         find_read(binning, read);
-        reason = ask(binning, false, written, read);
-        if (reason != REASON_NONE)
-            reason = ask(binning, true, written, read);
+        reason = ask(binning, UPDATED_BINS, written, read);
+        if (reason != REASON_NONE && !binning->copies.count)
+            reason = ask(binning, UPDATED_ROWS, written, read);
     }
     redcc_memory_free(written);
     redcc_memory_free(read);
@@ -143,5 +153,6 @@ enum reason redcc_bins_guard(struct binning *binning) {
 void redcc_bins_tell_written(const struct binning *binning) {
     const redcc_loop *loop = &binning->loop->loop;
     for (uint32_t array = 0; array < loop->array_count; array++)
-        binning->witness.tell(binning->witness.whom, array, written_of(binning, array, true));
+        binning->witness.tell(binning->witness.whom, array,
+                              updated_of(binning, array, STORED_ROWS));
 }

@@ -43,6 +43,12 @@ static struct row_range from_a_line(const struct binning *binning, uint32_t s, u
     return rows;
 }
 
+/* The window of private copies of the rows. A tight window that lacked a row gets a margin. */
+static struct window copied_window(const struct binning *binning, struct row_range rows) {
+    const bool is_tight = binning->copies.are_tight && binning->round.failures == 0;
+    return redcc_copied_window(rows, is_tight ? 0 : margin_of(binning, rows));
+}
+
 /* Cuts a window for each stream that has none, or whose expected number of records has changed
  * much. Other windows are kept, and so is their memory. Returns false if the rows are spread too
  * widely. */
@@ -61,7 +67,7 @@ static bool cut_windows(struct binning *binning) {
         it->cut_threads = threads;
         it->is_copied = is_copied;
         const uint64_t margin = margin_of(binning, it->rows);
-        it->window = is_copied ? redcc_copied_window(it->rows, margin)
+        it->window = is_copied ? copied_window(binning, it->rows)
                                : redcc_window(stream, from_a_line(binning, s, margin), margin,
                                               threads, it->rate, (double)left_of(binning));
         if (it->window.rows == 0)
@@ -94,8 +100,7 @@ static bool wants_copies(const struct binning *binning) {
         return false;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
-        const struct row_range seen = binning->stream[s].rows;
-        const struct window window = redcc_copied_window(seen, margin_of(binning, seen));
+        const struct window window = copied_window(binning, binning->stream[s].rows);
         if (!redcc_private_possible(binning, stream) || window.rows == 0)
             return false;
         rows += (double)window.rows;

@@ -316,6 +316,23 @@ static void learn(struct binning *binning) {
     }
 }
 
+/* Called if the guard forbids private copies. Executes the round again, with copies that have no
+ * margin or, if these failed as well, with records (which shares cannot have). */
+static enum bins_phase push_precisely(struct binning *binning, enum reason reason) {
+    struct private_copies *copies = &binning->copies;
+    copies->are_denied = copies->are_tight;
+    copies->are_tight = true;
+    for (uint32_t s = 0; s < stream_count(binning); s++) {
+        struct binned_stream *it = &binning->stream[s];
+        it->rows = redcc_rows_union(it->rows, redcc_private_rows(binning, s));
+        it->cut_for = 0;
+    }
+    if (copies->are_denied && redcc_in_shares(binning->call))
+        return end_with(binning, reason);
+    throw_away(binning);
+    return lay_out(binning);
+}
+
 static enum bins_phase after_push(struct binning *binning) {
     if (binning->trial.is_late)
         return end_with(binning, REASON_SERIAL_FASTER);
@@ -323,14 +340,8 @@ static enum bins_phase after_push(struct binning *binning) {
         if (has_failed(binning, binning->binner[t]))
             return push_again(binning);
     const enum reason reason = redcc_bins_guard(binning);
-    /* with records instead of copies, the guard is more precise */
-    binning->copies.are_denied |= reason != REASON_NONE && binning->copies.count > 0;
-    if (reason != REASON_NONE && binning->copies.count && !redcc_in_shares(binning->call)) {
-        throw_away(binning);
-        return lay_out(binning);
-    }
     if (reason != REASON_NONE)
-        return end_with(binning, reason);
+        return binning->copies.count ? push_precisely(binning, reason) : end_with(binning, reason);
     if (binning->copies.count)
         for (uint32_t s = 0; s < stream_count(binning); s++)
             binning->stream[s].changed = redcc_private_rows(binning, s);
