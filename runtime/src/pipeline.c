@@ -268,7 +268,7 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
                                        &inspection->partition, touched, call->compensated);
     execution->run.plan = plan;
     summarise(inspection);
-    if (method->selects && !(call->request.loop->flags & REDCC_DRY_RUN))
+    if (method->selects && !(call->request.loop->flags & REDCC_DRY_RUN && fences->stand))
         redcc_survey_begin(&execution->run.survey, call->request.trip, call->threads,
                            &execution->barrier);
     if (plan && inspection->route == ROUTE_DIRECT)

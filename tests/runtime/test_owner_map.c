@@ -27,17 +27,28 @@ enum {
 
 static const int threads_tried[] = {1, 2, 3, 7, 16, 33};
 
-/* Returns the row of the cell at (x, y); outside of the strip, the row of the boundary cell. */
-static int row_at(int x, int y) {
-    y = y < 0 ? 0 : y >= LONG ? LONG - 1 : y;
-    return x < 0 ? CELLS + y : x >= WIDE ? CELLS + LONG + y : WIDE * y + x;
+/* A strip of cells. */
+struct strip {
+    int wide, long_;
+};
+
+static const struct strip usual = {WIDE, LONG};
+
+static int cells_of(struct strip of) {
+    return of.wide * of.long_;
 }
 
-static void touched_by(int cell, int *row) {
-    const int x = cell % WIDE, y = cell / WIDE;
+/* Returns the row of the cell at (x, y); outside of the strip, the row of the boundary cell. */
+static int row_at(struct strip of, int x, int y) {
+    y = y < 0 ? 0 : y >= of.long_ ? of.long_ - 1 : y;
+    return x < 0 ? cells_of(of) + y : x >= of.wide ? cells_of(of) + of.long_ + y : of.wide * y + x;
+}
+
+static void touched_by(struct strip of, int cell, int *row) {
+    const int x = cell % of.wide, y = cell / of.wide;
     const int next[TOUCHED][2] = {{x, y}, {x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}};
     for (int k = 0; k < TOUCHED; k++)
-        row[k] = row_at(next[k][0], next[k][1]);
+        row[k] = row_at(of, next[k][0], next[k][1]);
 }
 
 /* ---- the map --------------------------------------------------------------------------------- */
@@ -59,7 +70,7 @@ static void begin(struct fixture *fixture, const void *base, uint32_t owners) {
     assert_true(redcc_sample_begin(&fixture->sample, TOUCHED * CELLS, 0));
     for (int cell = 0; cell < CELLS; cell++) {
         int row[TOUCHED];
-        touched_by(cell, row);
+        touched_by(usual, cell, row);
         for (int k = 0; k < TOUCHED; k++)
             redcc_sample_add(&fixture->sample, (uintptr_t)strip[row[k]], 0, 1, 0);
         redcc_sample_next_iteration(&fixture->sample);
@@ -102,8 +113,8 @@ static void borders_belong_to_those_beside_them(void **unused) {
         int strays = 0;
         for (int y = 0; y < LONG; y++)
             for (int side = 0; side < 2; side++)
-                strays += owner_of(&fixture, row_at(side ? WIDE : -1, y)) !=
-                          owner_of(&fixture, row_at(side ? WIDE - 1 : 0, y));
+                strays += owner_of(&fixture, row_at(usual, side ? WIDE : -1, y)) !=
+                          owner_of(&fixture, row_at(usual, side ? WIDE - 1 : 0, y));
         assert_in_range(strays, 0, 8 * (owners - 1));
         assert_true(share_of(&fixture) < 1.1 / owners + 0.02);
         assert_true(owners == 1 || share_of(&fixture) < 0.9 * by_cuts);
@@ -263,23 +274,24 @@ static void borders_are_smooth(void **unused) {
 
 /* ---- the loop -------------------------------------------------------------------------------- */
 
-static struct problem strip_problem(void) {
+static struct problem strip_problem(struct strip of) {
+    const int cells = cells_of(of), rows = cells + 2 * of.long_ + 2 * MARGIN;
     struct problem problem = {.name = "strip",
-                              .trip = CELLS,
-                              .touches = (long)CELLS * TOUCHED,
-                              .rows = ROWS + 2 * MARGIN,
+                              .trip = cells,
+                              .touches = (long)cells * TOUCHED,
+                              .rows = rows,
                               .width = WIDTH,
-                              .doubles = (long)(ROWS + 2 * MARGIN) * WIDTH};
+                              .doubles = (long)rows * WIDTH};
     unsigned long state = 5;
-    problem.start = malloc((CELLS + 1) * sizeof *problem.start);
+    problem.start = malloc((size_t)(cells + 1) * sizeof *problem.start);
     problem.row = malloc((size_t)problem.touches * sizeof *problem.row);
     problem.other = calloc((size_t)problem.touches, sizeof *problem.other);
     problem.value = malloc((size_t)problem.touches * sizeof *problem.value);
     problem.first = malloc((size_t)problem.doubles * sizeof *problem.first);
-    for (int cell = 0; cell <= CELLS; cell++)
+    for (int cell = 0; cell <= cells; cell++)
         problem.start[cell] = cell * TOUCHED;
-    for (int cell = 0; cell < CELLS; cell++)
-        touched_by(cell, problem.row + (ptrdiff_t)cell * TOUCHED);
+    for (int cell = 0; cell < cells; cell++)
+        touched_by(of, cell, problem.row + (ptrdiff_t)cell * TOUCHED);
     for (long k = 0; k < problem.touches; k++)
         problem.row[k] += MARGIN;
     for (long k = 0; k < problem.touches; k++)
@@ -287,9 +299,9 @@ static struct problem strip_problem(void) {
     return problem;
 }
 
-static double replication_of(const redcc_loop *loop) {
+static double replication_of(const redcc_loop *loop, struct strip of) {
     struct loop_state *state = redcc_made_state_of((redcc_loop *)(uintptr_t)loop);
-    return (double)state->reported.statistics.extra.executed / (double)CELLS;
+    return (double)state->reported.statistics.extra.executed / (double)cells_of(of);
 }
 
 /* Returns the expected results, which the caller frees. */
@@ -303,7 +315,7 @@ static double *results_of(struct problem *problem, size_t bytes) {
 
 static void same_bits_for_any_owners(void **unused) {
     (void)unused;
-    struct problem problem = strip_problem();
+    struct problem problem = strip_problem(usual);
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
     double *expected = results_of(&problem, bytes);
     for (size_t i = 0; i < sizeof threads_tried / sizeof *threads_tried; i++) {
@@ -316,11 +328,28 @@ static void same_bits_for_any_owners(void **unused) {
         if (threads > 1) {
             assert_memory_equal(expected, problem.first, bytes);
             assert_int_equal(last, 3 * (CELLS - 1) + 1);
-            assert_true(replication_of(&described.loop) < 1 + 0.02 * threads);
+            assert_true(replication_of(&described.loop, usual) < 1 + 0.02 * threads);
         }
         redcc_loop_forget(&described.loop);
     }
     free(expected);
+    problem_free(&problem);
+}
+
+/* One iteration in 15 is sampled. In a strip of five columns, the sample must nevertheless have
+ * cells of the last column, which alone updates half of the boundary cells. */
+static void samples_have_all_columns(void **unused) {
+    (void)unused;
+    enum { THREADS = 2 };
+    const struct strip of = {5, 800};
+    struct problem problem = strip_problem(of);
+    struct described described;
+    long last;
+    problem_describe(&problem, &described);
+    problem_reset(&problem);
+    assert_true(problem_run(&problem, &described, THREADS, &last));
+    assert_true(replication_of(&described.loop, of) < 1.015);
+    redcc_loop_forget(&described.loop);
     problem_free(&problem);
 }
 
@@ -354,7 +383,7 @@ static void owners_are_kept(void **unused) {
     (void)unused;
     enum { EXECUTIONS = 7 };
     for (size_t i = 1; i < sizeof threads_tried / sizeof *threads_tried; i++) {
-        struct problem problem = strip_problem();
+        struct problem problem = strip_problem(usual);
         const size_t bytes = (size_t)problem.doubles * sizeof(double);
         double *expected = malloc(bytes);
         struct described described;
@@ -383,7 +412,7 @@ static void owners_are_kept(void **unused) {
 
 static void memory_fails_anywhere(void **unused) {
     (void)unused;
-    struct problem problem = strip_problem();
+    struct problem problem = strip_problem(usual);
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
     double *expected = results_of(&problem, bytes);
     bool failed = true;
@@ -414,6 +443,7 @@ int main(void) {
         cmocka_unit_test(some_have_none),
         cmocka_unit_test(borders_are_smooth),
         cmocka_unit_test(same_bits_for_any_owners),
+        cmocka_unit_test(samples_have_all_columns),
         cmocka_unit_test(owners_are_kept),
         cmocka_unit_test(memory_fails_anywhere),
     };

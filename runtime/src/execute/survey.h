@@ -12,7 +12,9 @@
  * of its share that leaves a fence. All threads end the parallel execution before the first of
  * these iterations. But some threads have then evaluated slices of later iterations, which may have
  * read values that earlier iterations would have changed. The classes of these later iterations are
- * never used. Loops in which reading such values could do harm (REDCC_DRY_RUN) have no survey.
+ * never used. Loops in which reading such values could do harm (REDCC_DRY_RUN) have no survey with
+ * fences. Without fences, a dry run has shown in the same call that no iteration changes what the
+ * slices read.
  */
 #ifndef REDCC_EXECUTE_SURVEY_H
 #define REDCC_EXECUTE_SURVEY_H

@@ -67,7 +67,7 @@ struct inspector {
     redcc_int handed;     /* number of iterations handed out in the current sweep block */
     redcc_int block;      /* maximum number of iterations of a block; with a deadline it grows */
     redcc_int largest;    /* limit up to which `block` grows */
-    redcc_int at;         /* next iteration of the sample */
+    redcc_int at;         /* number of the next iteration of the sample */
     redcc_entry *entries; /* [REDCC_ENTRIES] */
     struct range *seen;   /* [array_count] for each group, the range that this thread has touched */
     redcc_int *executed;  /* [owners] number of iterations, in the share that this thread inspects,

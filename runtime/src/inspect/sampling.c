@@ -44,20 +44,21 @@ static bool is_for_tiles(const struct inspection *inspection) {
            redcc_can_be_tiled(request->trip);
 }
 
-/* The number of iterations, at least few / 2 and at most `most`, that fit into the sample's time.
- * If the order is not serial, returns `most`, because the time must not affect the result. Few long
- * iterations suffice, because each has many touches. */
+/* The number of iterations, at most `most`, that fit into the sample's time. It is at least few /
+ * 2, since few long iterations suffice for cuts: each has many touches. If iterations vote on
+ * owners (ownership/owner_map.h), it is at least `few`. If the order is not serial, returns `most`,
+ * because the time must not affect the result. */
 static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
     const double usual = inspection->pace.usual;
     if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)
         return most;
-    return redcc_min(most, redcc_max(few / 2, (redcc_int)(SAMPLED_SECONDS / usual)));
+    const bool votes = inspection->call->request.loop->flags & REDCC_SELECTS;
+    return redcc_min(most, redcc_max(votes ? few : few / 2, (redcc_int)(SAMPLED_SECONDS / usual)));
 }
 
-/* The stride of the sample: iterations 0, stride, 2 stride, ... are sampled, for any number of
- * threads. The stride is odd, because an even stride might always select the same corner of a
- * finite element. The sample is small, because sorting more touches than the owners need would cost
- * more than the sweep of all iterations. */
+/* The stride of the sample: each `stride` consecutive iterations contain one of the sample, for any
+ * number of threads. The sample is small, because sorting more touches than the owners need would
+ * cost more than the sweep of all iterations. */
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     const redcc_int shares = partition->owners / (1 + partition->stealable);
@@ -66,10 +67,10 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     const redcc_int even = trip / SAMPLED_OF < few ? few : trip / SAMPLED_OF;
     const redcc_int most = redcc_min(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
     const redcc_int seen = redcc_max(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
-    if (is_for_tiles(inspection))
-        return trip / (shares * LOOKED_AT_LEAST) | 1;
-    return trip / (looks ? redcc_min(few, seen) : in_time(inspection, few, redcc_min(even, most))) |
-           1;
+    const redcc_int wanted = is_for_tiles(inspection) ? shares * LOOKED_AT_LEAST
+                             : looks                  ? redcc_min(few, seen)
+                                     : in_time(inspection, few, redcc_min(even, most));
+    return redcc_max(trip / wanted, 1);
 }
 
 /* The number of sampled iterations before this thread's share. */
@@ -77,6 +78,16 @@ static redcc_int sampled_before(const struct inspection *inspection,
                                 const struct inspector *inspector) {
     const redcc_int stride = sample_stride(inspection);
     return (redcc_own_begin(inspection, inspector) + stride - 1) / stride;
+}
+
+/* The iteration that is number `number` of the sample: one of the `stride` iterations from
+ * number * stride on. Multiples of the golden ratio, mod 1, distribute them evenly over the
+ * strides. If all were at the beginning of their stride, the sample of a loop over the cells of a
+ * grid might consist of a few columns or diagonals, and contain no cells at a border. */
+static redcc_int sampled_at(redcc_int number, redcc_int stride, redcc_int trip) {
+    const uint64_t fraction = (uint64_t)number * 0x9e3779b97f4a7c15u >> 32; /* of 2^32 */
+    const redcc_int further = (redcc_int)((double)fraction * 0x1p-32 * (double)stride);
+    return redcc_min(number * stride + further, trip - 1);
 }
 
 /* The number of touches to keep, over all threads: with more touches, cuts are more even. (If
@@ -122,20 +133,20 @@ void redcc_sample_start(const struct inspection *inspection, struct inspector *i
     inspector->timing = (struct slice_timing){0};
     /* the thread's own share, of which nothing is swept yet */
     inspector->next = redcc_own_begin(inspection, inspector);
-    inspector->at = sample_stride(inspection) * sampled_before(inspection, inspector);
+    inspector->at = sampled_before(inspection, inspector);
 }
 
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker) {
-    const redcc_int stride = sample_stride(inspection), first = inspector->at;
-    assert(stride >= 1 && first >= 0);
-    const redcc_int end = redcc_own_end(inspection, inspector);
+    const redcc_int stride = sample_stride(inspection), number = inspector->at;
+    assert(stride >= 1 && number >= 0);
     if (inspector->failed)
         return false;
-    if (first >= end || inspection->partition.share > 0)
+    if (number * stride >= redcc_own_end(inspection, inspector) || inspection->partition.share > 0)
         return redcc_timing_hand_out(inspection, inspector, worker);
-    inspector->at = end;
-    redcc_hand_out(inspector, worker, first, end, stride, inspector->nowhere);
+    const redcc_int at = sampled_at(number, stride, inspection->call->request.trip);
+    inspector->at = number + 1;
+    redcc_hand_out(inspector, worker, at, at + 1, 1, inspector->nowhere);
     return true;
 }
 
