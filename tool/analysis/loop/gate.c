@@ -75,6 +75,13 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
+static reason openmp_kept_reason(const loop_analysis *j, openmp_kept kept) {
+    reason why = analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, kept.text);
+    if (kept.advice)
+        why.advice = kept.advice;
+    return why;
+}
+
 /* Finds an OpenMP directive that must stay, of the loop or of a nest around it. Directives that
  * this compilation ignores do not count, nor do those that redcc can replace according to their
  * text. */
@@ -90,12 +97,7 @@ static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     if (nest)
         return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop,
                                arena_format(j->an->memory, "'%s', of a loop around it", nest));
-    if (!openmp || !openmp->kept)
-        return (reason){0};
-    reason kept = analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, openmp->kept);
-    if (openmp->is_kept_for_devices)
-        kept.advice = OPENMP_DEVICES_ADVICE;
-    return kept;
+    return openmp && openmp->kept.text ? openmp_kept_reason(j, openmp->kept) : (reason){0};
 }
 
 static reason check_directives(const loop_analysis *j) {
