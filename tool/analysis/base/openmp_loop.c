@@ -6,6 +6,7 @@
 
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_nest.h"
+#include "analysis/base/stateful.h"
 
 /* ---- the directives ------------------------------------------------------------------------ */
 
@@ -125,7 +126,9 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
     else if (above > 1)
         result->kept.text = "several directives above the loop";
     else if (function)
-        result->kept.text = arena_format(a, "the loop asks %s", function);
+        result->kept = (openmp_kept){
+            arena_format(a, "the loop asks %s", function),
+            stateful_is_lock(function) ? "write #pragma omp critical in place of the lock" : NULL};
     else
         result->kept = openmp_kept_for_devices(unit);
     return result;

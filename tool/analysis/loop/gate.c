@@ -230,11 +230,27 @@ static reason check_values(const loop_analysis *j, const access_list *found) {
     return (reason){0};
 }
 
+/* Advice on a function with an OpenMP directive that the loop calls. */
+static const char *advice_on_called_openmp(const loop_analysis *j) {
+    if (!j->an->unit->dialect.has_openmp)
+        return "remove the directive, or write the update in the loop's own text, under the "
+               "directive";
+    return j->an->openmp
+               ? "if it protects an update, write the update in the loop's own text, under the "
+                 "directive"
+               : "if one thread executes the loop, remove the directive; otherwise write the "
+                 "update "
+                 "in the loop's own text, under it, and #pragma omp parallel for above the loop";
+}
+
 static reason first_problem(const loop_analysis *j, const access_list *list) {
     if (!list->problems.count)
         return (reason){0};
     const access_problem *p = &list->problems.items[0];
-    return analysis_reason(j, p->why, p->node, p->name);
+    reason why = analysis_reason(j, p->why, p->node, p->name);
+    if (p->why == REASON_EXISTING_OPENMP)
+        why.advice = advice_on_called_openmp(j);
+    return why;
 }
 
 /* The reason for which the values that the header sets cannot be computed twice. Generated code
