@@ -4,6 +4,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "analysis/base/atomic_call.h"
 #include "analysis/base/expression.h"
@@ -72,46 +73,66 @@ static bool names_changed(const analyser *an, const ir_node *loop, const ir_node
     return false;
 }
 
-/* Does the call update, through a pointer argument, an element that several iterations of `loop`
- * may update? If its function has other effects, the loop's own text must choose the element: a
+/* Does the expression update, by a call or an atomic operation, an element that several iterations
+ * of `loop` may update? If it has other effects, the loop's own text must choose the element: a
  * loop over time steps is no candidate. */
-static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call,
-                         conflict_kind kind) {
-    access_list list = {0};
-    if (kind != CONFLICT_SHARED || call->children[0]->kind != IR_FUNCTION ||
-        !call->children[0]->function->body)
-        return false; /* a report on a regular nest names the array, which a call does not show */
-    access_collect_known(an->effects, call, &list);
-    for (unsigned i = 0; i < list.items.count; i++) {
-        const access *a = &list.items.items[i];
-        if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            conflict_at(an->facts, loop, a->lvalue, call) == kind &&
-            (!list.problems.count || names_changed(an, loop, a->lvalue)))
+static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *node,
+                         const access_list *list) {
+    for (unsigned i = 0; i < list->items.count; i++) {
+        const access *a = &list->items.items[i];
+        if ((a->callee || list->atomic) && a->kind == ACCESS_UPDATE && a->lvalue &&
+            conflict_at(an->facts, loop, a->lvalue, node) == CONFLICT_SHARED &&
+            (!list->problems.count || names_changed(an, loop, a->lvalue)))
             return true;
     }
     return false;
 }
 
-/* Does the node, by an atomic operation of the compiler or by a function that contains one, change
- * an element that the loop's own text chooses? */
-static bool updates_atomically(const analyser *an, const ir_node *loop, const ir_node *node,
-                               conflict_kind kind) {
-    if (kind != CONFLICT_SHARED || !atomic_name(an->memory, node))
-        return false;
+/* May the function write the target of this argument (from 0), by its parameter's type? */
+static bool may_write_argument(const ir_function *function, unsigned number) {
+    if (!function || number >= function->parameter_count)
+        return true;
+    const ir_type *type = function->parameters[number]->type;
+    return !type || type->kind != IR_POINTER || !type->target || !type->target->is_const;
+}
+
+/* May the expression change, through a pointer that it receives, an element that the loop's own
+ * text chooses? */
+static bool may_update_argument(const analyser *an, const ir_node *loop, const ir_node *node) {
+    const ir_function *function = node->kind == IR_CALL ? ir_called_function(node) : NULL;
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *target = atomic_pointee(an->memory, node, i);
-        if (target && names_changed(an, loop, target) &&
-            conflict_at(an->facts, loop, target, node) == kind)
+        if (target && may_write_argument(function, i) && names_changed(an, loop, target) &&
+            conflict_at(an->facts, loop, target, node) == CONFLICT_SHARED)
             return true;
     }
     return false;
+}
+
+/* Is it a call of a function of the program whose body is in another file? */
+static bool is_unseen_call(const ir_node *node) {
+    const ir_function *function = node->kind == IR_CALL ? ir_called_function(node) : NULL;
+    return function && !function->body && !function->is_from_system &&
+           strncmp(function->name, "__builtin_", 10) != 0;
+}
+
+/* Has the call or opaque expression the conflict? A report on a regular nest names the array, which
+ * such an expression does not show. */
+static bool has_conflict_inside(const analyser *an, const ir_node *loop, const ir_node *node,
+                                conflict_kind kind) {
+    access_list list = {0};
+    if (kind != CONFLICT_SHARED)
+        return false;
+    access_collect_known(an->effects, node, &list);
+    return call_updates(an, loop, node, &list) ||
+           ((list.atomic || (list.problems.count && is_unseen_call(node))) &&
+            may_update_argument(an, loop, node));
 }
 
 static bool has_conflict(const analyser *an, const ir_node *loop, const ir_node *node,
                          conflict_kind kind) {
     if (node->kind == IR_CALL || node->kind == IR_OPAQUE)
-        return (node->kind == IR_CALL && call_updates(an, loop, node, kind)) ||
-               updates_atomically(an, loop, node, kind);
+        return has_conflict_inside(an, loop, node, kind);
     const ir_node *target = updated_target(an, node);
     if (!target || conflict_of(an->facts, loop, target) != kind)
         return false;
@@ -135,6 +156,14 @@ static const ir_node *find_conflict(const analyser *an, const ir_node *loop, con
     for (unsigned i = 0; i < node->child_count && !found; i++)
         found = find_conflict(an, loop, node->children[i], kind, innermost);
     return found;
+}
+
+/* The name of an atomic operation in an update that find_conflict found; NULL if there is none. */
+static const char *atomic_in(const analyser *an, const ir_node *update) {
+    access_list list = {0};
+    if (update->kind == IR_CALL || update->kind == IR_OPAQUE)
+        access_collect(an->effects, update, &list);
+    return list.atomic;
 }
 
 static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
@@ -263,9 +292,9 @@ static void search(loop_search *s, ir_node *node) {
     } else if (is_candidate(s->an, node)) {
         verdict = verdict_at(s, node);
         const ir_node *update = find_conflict(s->an, node, node, CONFLICT_SHARED, false);
-        if (verdict.kind != VERDICT_TRANSFORM && verdict.why.id != REASON_EXISTING_OPENMP &&
-            atomic_name(s->an->memory, update))
-            verdict = verdict_atomic(s->an, s->function, node, update);
+        const char *atomic = atomic_in(s->an, update);
+        if (verdict.kind != VERDICT_TRANSFORM && verdict.why.id != REASON_EXISTING_OPENMP && atomic)
+            verdict = verdict_atomic(s->an, s->function, node, update, atomic);
         if (is_inspected(&verdict)) {
             VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
             return;

@@ -4,7 +4,6 @@
 
 #include <assert.h>
 
-#include "analysis/base/atomic_call.h"
 #include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/inner_conditions.h"
@@ -466,11 +465,10 @@ loop_verdict verdict_regular(const analyser *whole, ir_function *function, ir_no
 }
 
 loop_verdict verdict_atomic(const analyser *whole, ir_function *function, ir_node *loop,
-                            const ir_node *update) {
+                            const ir_node *update, const char *name) {
     assert(ir_contains(loop, update));
     const analyser *an = analyser_for(whole, loop);
     loop_analysis j = {.an = an, .function = function, .loop = loop};
-    const char *name = atomic_name(an->memory, update);
     return refused(&j, analysis_reason(&j, REASON_IMPURE_CALL, update, name), CONFLICT_SHARED);
 }
 

@@ -11,10 +11,10 @@ loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop
 loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
                              const ir_node *update);
 
-/** The verdict on a loop in which `update` is an atomic operation of the compiler, or a call of a
- *  function that contains one (atomic_call.h). */
+/** The verdict on a loop in which `update` is the atomic operation `name` (atomic_call.h), or a
+ * call of a function that contains it. */
 loop_verdict verdict_atomic(const analyser *an, ir_function *function, ir_node *loop,
-                            const ir_node *update);
+                            const ir_node *update, const char *name);
 
 /** The verdict on a loop that a pragma leaves sequential, together with its inner loops. */
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,

@@ -166,8 +166,7 @@ static const char *why_in_order(const loop_plan *plan) {
         return plan->no_bins;
     if (bins->is_checked)
         return "what it updates may overlap subscripts or conditions of its reads; declare "
-               "pointers "
-               "to updated arrays restrict";
+               "pointers to updated arrays restrict";
     for (unsigned i = 0; i < bins->stream_count; i++)
         if (span_of_stream(bins, i))
             return "an inner loop updates consecutive elements";

@@ -6,6 +6,7 @@
 
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_nest.h"
+#include "analysis/base/stateful.h"
 
 /* ---- the directives ------------------------------------------------------------------------ */
 
@@ -13,7 +14,7 @@ static bool is_compiled(const ir_directive *d) {
     return !d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d);
 }
 
-bool openmp_has_devices(const ir_unit *unit) {
+static bool has_devices(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (is_compiled(&unit->directives[i]) && strstr(unit->directives[i].text, "target"))
             return true;
@@ -23,8 +24,16 @@ bool openmp_has_devices(const ir_unit *unit) {
     return false;
 }
 
-static const char *with_text(arena *a, const char *what, const ir_directive *d) {
-    return arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text));
+openmp_kept openmp_kept_for_devices(const ir_unit *unit) {
+    static const openmp_kept kept = {"code for devices in the file",
+                                     "move the code with 'omp target' or 'declare target' to "
+                                     "another file, or compile without -fopenmp"};
+    return has_devices(unit) ? kept : (openmp_kept){0};
+}
+
+static openmp_kept with_text(arena *a, const char *what, const ir_directive *d) {
+    return (openmp_kept){.text =
+                             arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text))};
 }
 
 /* A clause whose effect exists only with its directive, as text; NULL if there is none. */
@@ -73,7 +82,7 @@ static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loo
     for (const ir_node *outer = loop->parent; outer; outer = outer->parent) {
         const openmp_loop *around = ir_is_loop(outer) ? openmp_of_loop(a, unit, outer) : NULL;
         if (around)
-            return around->kept ? around->kept : "the loop around it stays as it is";
+            return around->kept.text ? around->kept.text : "the loop around it stays as it is";
     }
     return "a lock in a loop without a directive of its own";
 }
@@ -106,22 +115,22 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         result->has_critical |= !is_above && read.construct != OPENMP_ATOMIC;
         if (kept)
             result->kept = with_text(a, kept, d);
-        if (result->kept)
+        if (result->kept.text)
             return result;
     }
     if (all == 0)
         return NULL;
     const char *function = openmp_function_in(loop);
     if (above == 0)
-        result->kept = kept_around(a, unit, loop);
+        result->kept.text = kept_around(a, unit, loop);
     else if (above > 1)
-        result->kept = "several directives above the loop";
+        result->kept.text = "several directives above the loop";
     else if (function)
-        result->kept = arena_format(a, "the loop asks %s", function);
-    else if (openmp_has_devices(unit)) {
-        result->kept = OPENMP_DEVICES;
-        result->is_kept_for_devices = true;
-    }
+        result->kept = (openmp_kept){
+            arena_format(a, "the loop asks %s", function),
+            stateful_is_lock(function) ? "write #pragma omp critical in place of the lock" : NULL};
+    else
+        result->kept = openmp_kept_for_devices(unit);
     return result;
 }
 
@@ -156,7 +165,7 @@ const ir_variable *openmp_variable(const ir_unit *unit, const ir_node *loop,
 
 bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable) {
-    if (!unit->dialect.replaces_openmp || !above || above->kept)
+    if (!unit->dialect.replaces_openmp || !above || above->kept.text)
         return false;
     bool keeps = openmp_counter(loop) == variable;
     for (unsigned i = 0; i < above->item_count; i++) {

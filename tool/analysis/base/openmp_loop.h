@@ -6,6 +6,12 @@
 
 #include "analysis/base/openmp_directive.h"
 
+/** Why directives must be kept. */
+typedef struct openmp_kept {
+    const char *text;   /* NULL if no reason has been found */
+    const char *advice; /* what to change; NULL for the advice that all such reasons share */
+} openmp_kept;
+
 /** The directives that a loop's execution omits: `parallel for` or `for` above it, `atomic` and
  *  `critical` inside. */
 typedef struct openmp_loop {
@@ -16,9 +22,7 @@ typedef struct openmp_loop {
     bool has_critical; /* `critical` occurs in the loop, which protects reads as well */
     bool is_of_team;   /* the directive is `for`: the threads of an enclosing region share the
                         * loop */
-    const char *kept;  /* why the directives must be kept, as far as their text shows it; NULL if
-                        * no reason has been found */
-    bool is_kept_for_devices; /* `kept` is about the whole file (openmp_has_devices) */
+    openmp_kept kept;  /* as far as the directives' text shows it */
 } openmp_loop;
 
 typedef struct blocked_scalar {
@@ -65,14 +69,9 @@ typedef struct fixed_blocks {
 /** The loop's OpenMP directives, above it and inside. NULL if it has none or OpenMP is disabled. */
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop);
 
-/** May the file contain code that devices also execute? Such code cannot use the runtime. */
-bool openmp_has_devices(const ir_unit *unit);
-
-/** The reason why directives of such a file are kept, and what to do about it. */
-#define OPENMP_DEVICES "code for devices in the file"
-#define OPENMP_DEVICES_ADVICE                                                                      \
-    "move the code with 'omp target' or 'declare target' to another file, or compile without "     \
-    "-fopenmp"
+/** The reason to keep all directives of a file that may contain code that devices also execute.
+ *  Such code cannot use the runtime. */
+openmp_kept openmp_kept_for_devices(const ir_unit *unit);
 
 /** Does the variable have the same value after the loop as before it, because the directives
  *  `above` make it private to each thread? If so, a loop executed without them must restore the

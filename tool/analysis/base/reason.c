@@ -52,7 +52,8 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_ESCAPES] =
         "if no iteration uses a value that another left in it, declare it inside the "
         "loop's body, and pass it only to functions of this file",
-    [REASON_VOLATILE] = "copy it to ordinary memory before the loop",
+    [REASON_VOLATILE] = "copy it to ordinary memory before the loop, and back after it if the loop "
+                        "changes it",
     [REASON_UNION] = "use a struct",
     [REASON_THREAD_LOCAL] = "copy it to a local variable before the loop",
     [REASON_TYPE_PUNNED] = "use a pointer of the array's own type",
@@ -138,9 +139,14 @@ reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
 
 const char *reason_advice_on_call(arena *a, const char *name, bool has_body) {
     const char *effect = has_body ? NULL : stateful_effect(name);
-    if (atomic_is_name(name))
-        return "it updates memory atomically: write the update itself, such as *x += v; where "
-               "OpenMP's threads share the loop, under #pragma omp atomic in the loop's own text";
+    const char *atomic = atomic_advice(name);
+    if (atomic)
+        return atomic;
+    if (!has_body && stateful_is_lock(name))
+        return "it is of a lock: if one thread executes the loop, remove the lock; otherwise write "
+               "#pragma omp critical in its place, in the loop's own text, and #pragma omp "
+               "parallel "
+               "for above the loop";
     if (effect)
         return arena_format(a, "it %s: call it in a separate loop, before or after", effect);
     return has_body

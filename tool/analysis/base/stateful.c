@@ -42,6 +42,15 @@ static int has_name(const char *names, const char *name) {
     return 0;
 }
 
+bool stateful_is_lock(const char *name) {
+    static const char names[] =
+        " omp_set_lock omp_unset_lock omp_test_lock omp_set_nest_lock omp_unset_nest_lock "
+        "omp_test_nest_lock pthread_mutex_lock pthread_mutex_trylock pthread_mutex_unlock "
+        "pthread_spin_lock pthread_spin_trylock pthread_spin_unlock pthread_rwlock_wrlock "
+        "pthread_rwlock_unlock mtx_lock mtx_trylock mtx_unlock ";
+    return has_name(names, name);
+}
+
 const char *stateful_effect(const char *name) {
     for (size_t i = 0; i < sizeof effects / sizeof *effects; i++)
         if (has_name(effects[i].names, name))

@@ -75,6 +75,13 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
+static reason openmp_kept_reason(const loop_analysis *j, openmp_kept kept) {
+    reason why = analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, kept.text);
+    if (kept.advice)
+        why.advice = kept.advice;
+    return why;
+}
+
 /* Finds an OpenMP directive that must stay, of the loop or of a nest around it. Directives that
  * this compilation ignores do not count, nor do those that redcc can replace according to their
  * text. */
@@ -90,12 +97,7 @@ static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     if (nest)
         return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop,
                                arena_format(j->an->memory, "'%s', of a loop around it", nest));
-    if (!openmp || !openmp->kept)
-        return (reason){0};
-    reason kept = analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, openmp->kept);
-    if (openmp->is_kept_for_devices)
-        kept.advice = OPENMP_DEVICES_ADVICE;
-    return kept;
+    return openmp && openmp->kept.text ? openmp_kept_reason(j, openmp->kept) : (reason){0};
 }
 
 static reason check_directives(const loop_analysis *j) {
@@ -228,11 +230,27 @@ static reason check_values(const loop_analysis *j, const access_list *found) {
     return (reason){0};
 }
 
+/* Advice on a function with an OpenMP directive that the loop calls. */
+static const char *advice_on_called_openmp(const loop_analysis *j) {
+    if (!j->an->unit->dialect.has_openmp)
+        return "remove the directive, or write the update in the loop's own text, under the "
+               "directive";
+    return j->an->openmp
+               ? "if it protects an update, write the update in the loop's own text, under the "
+                 "directive"
+               : "if one thread executes the loop, remove the directive; otherwise write the "
+                 "update "
+                 "in the loop's own text, under it, and #pragma omp parallel for above the loop";
+}
+
 static reason first_problem(const loop_analysis *j, const access_list *list) {
     if (!list->problems.count)
         return (reason){0};
     const access_problem *p = &list->problems.items[0];
-    return analysis_reason(j, p->why, p->node, p->name);
+    reason why = analysis_reason(j, p->why, p->node, p->name);
+    if (p->why == REASON_EXISTING_OPENMP)
+        why.advice = advice_on_called_openmp(j);
+    return why;
 }
 
 /* The reason for which the values that the header sets cannot be computed twice. Generated code

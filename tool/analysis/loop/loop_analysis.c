@@ -6,6 +6,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
+#include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
 #include "ir/ir_position.h"
 
@@ -101,6 +102,24 @@ static bool names_loop(reason_id why) {
            why == REASON_GOTO;
 }
 
+static const ir_node *condition_of(const ir_node *loop) {
+    return loop->children[loop->kind == IR_WHILE ? 0 : 1];
+}
+
+/* Does the loop walk along a list: is p = p->next or p = next[p] at or below `node`, and does the
+ * loop's condition depend on p? */
+static bool follows_links(const ir_node *loop, const ir_node *node) {
+    if (node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
+        node->children[0]->kind == IR_VARIABLE && ir_is_access(node->children[1]) &&
+        expression_mentions(node->children[1], node->children[0]->variable) &&
+        expression_mentions(condition_of(loop), node->children[0]->variable))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (follows_links(loop, node->children[i]))
+            return true;
+    return false;
+}
+
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name) {
     assert(why > REASON_NONE && why < REASON_COUNT);
@@ -114,6 +133,9 @@ reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *nod
         const ir_function *function = ir_function_named(j->an->unit, name);
         result.advice = reason_advice_on_call(j->an->memory, name, function && function->body);
     }
+    if ((why == REASON_STEP || why == REASON_TRIP_COUNT) && follows_links(j->loop, j->loop))
+        result.advice = "store the elements of the list in an array in an earlier loop, and count "
+                        "over the array";
     const ir_variable *holder = why == REASON_ARRAY_READ && node ? update_group_holder(node) : NULL;
     if (holder)
         result.advice = arena_format(j->an->memory,
@@ -121,6 +143,33 @@ reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *nod
                                      "itself in place of '%s'",
                                      holder->name);
     return result;
+}
+
+/* The record or row of which the lvalue is a part: p[k] for p[k].v and p[k].x[2]. */
+static const ir_node *record_of(const ir_node *lvalue) {
+    const ir_node *outer = lvalue->child_count ? lvalue->children[0] : NULL;
+    const bool is_in_row = lvalue->kind == IR_INDEX && ir_is_array(outer) &&
+                           (outer->kind == IR_INDEX || outer->kind == IR_MEMBER);
+    return lvalue->kind == IR_MEMBER || is_in_row ? record_of(outer) : lvalue;
+}
+
+/* Does the iteration read and update one record, as a particle that is moved, or one element that
+ * no other iteration updates? */
+static bool is_of_own_record(const loop_analysis *j, const loop_array *array, const ir_node *read) {
+    return array->first && expression_same(record_of(array->first), record_of(read)) &&
+           (read->kind == IR_MEMBER ||
+            conflict_of(j->an->facts, j->loop, array->first) == CONFLICT_NONE);
+}
+
+bool analysis_refuse_read(loop_analysis *own, const loop_array *array, const ir_node *read) {
+    analysis_refuse(own, REASON_ARRAY_READ, read, array->array.name);
+    if (own->arrays.count > 1 && is_of_own_record(own, array, read))
+        own->why.advice = arena_format(own->an->memory,
+                                       "if what an iteration stores in '%s' depends on no other "
+                                       "iteration, split the loop: the first one stores it, the "
+                                       "second one makes the other updates",
+                                       array->array.name);
+    return false;
 }
 
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name) {

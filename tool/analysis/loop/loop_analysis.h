@@ -125,6 +125,11 @@ const char *analysis_loop_text(const analyser *an, ir_node *loop);
 /** Sets the reason in `own`, a check's own copy, unless one is set already. Returns false. */
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name);
 
+/** analysis_refuse for a read of an updated array (REASON_ARRAY_READ). The advice depends on
+ * whether the iteration updates a record of its own, as a particle that is moved and then
+ * deposited. */
+bool analysis_refuse_read(loop_analysis *own, const loop_array *array, const ir_node *read);
+
 /** Does `node`, or a node below it, use an address inside the array with this base as a value, as
  *  in `h == p` or `&h[i] - q`? Passing it to a function does not count, because the function's
  *  accesses are analysed. */

@@ -227,6 +227,18 @@ static bool walk_assertion(access_walk *w, const ir_node *node) {
     return true;
 }
 
+static void walk_opaque(access_walk *w, const ir_node *node) {
+    if (walk_assertion(w, node))
+        return;
+    const char *atomic = access_walk_atomic(w, node);
+    if (ir_any(node, names_assertion))
+        access_problem_add(w, REASON_NO_RETURN, node, "assert");
+    else if (atomic)
+        access_problem_add(w, REASON_IMPURE_CALL, node, atomic);
+    else
+        access_problem_add(w, REASON_OPAQUE, node, node->text ? node->text : "?");
+}
+
 void access_walk_node(access_walk *w, const ir_node *node) {
     if (expression_is_floating_work(node))
         w->list->has_floating_work = true;
@@ -262,12 +274,7 @@ void access_walk_node(access_walk *w, const ir_node *node) {
         access_walk_call(w, node);
         return;
     case IR_OPAQUE:
-        if (walk_assertion(w, node))
-            return;
-        if (ir_any(node, names_assertion))
-            access_problem_add(w, REASON_NO_RETURN, node, "assert");
-        else
-            access_problem_add(w, REASON_OPAQUE, node, node->text ? node->text : "?");
+        walk_opaque(w, node);
         return;
     case IR_GOTO:
     case IR_LABEL:

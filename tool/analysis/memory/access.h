@@ -46,9 +46,15 @@ typedef struct access_problem {
     const char *name;
 } access_problem;
 
+typedef VECTOR(access) access_vector;
+
 typedef struct access_list {
-    VECTOR(access) items;
+    access_vector items;
     VECTOR(access_problem) problems;
+    access_vector listed; /* updates by atomic operations, and by called functions with problems.
+                           * They serve to find loops to report; some may be missing */
+    const char *atomic;   /* name of an atomic operation (atomic_call.h) in the piece or in a called
+                           * function; NULL if there is none */
     bool has_floating_work;     /* the piece, or a function it calls, does floating-point
                                  * arithmetic */
     bool has_unrepeatable_work; /* it contains a call that may give other bits when repeated: the
@@ -69,9 +75,10 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 /** Appends all accesses that one execution of `node` (a statement or an expression) makes. */
 void access_collect(effects *all, const ir_node *node, access_list *list);
 
-/** Like access_collect, but for a call. If its function has problems, this adds those of the
- *  function's accesses that are single elements and that the caller can name. */
-void access_collect_known(effects *all, const ir_node *call, access_list *list);
+/** Like access_collect, but for an expression of which only reports speak. Appends the updates in
+ *  list->listed to list->items. If the node is the call of a function with problems, this also adds
+ *  those of the function's other accesses that are single elements and that the caller can name. */
+void access_collect_known(effects *all, const ir_node *node, access_list *list);
 
 /** The function's summary: its accesses, other than those of its local variables, expressed by its
  *  parameters and globals. If it has problems, accesses may be missing. NULL if the function is

@@ -22,6 +22,10 @@ void access_walk_node(access_walk *w, const ir_node *node);
  *  variables. */
 void access_walk_call(access_walk *w, const ir_node *call);
 
+/** If the node itself is an atomic operation, adds the update that it makes to list->listed.
+ * Returns its name; NULL if the node is none. */
+const char *access_walk_atomic(access_walk *w, const ir_node *node);
+
 /** Is this the function that a C library's `assert` calls when it fails? Messages name it
  *  `assert`. */
 bool access_is_assertion(const ir_function *function);

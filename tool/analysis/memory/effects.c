@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "analysis/base/atomic_call.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/external.h"
 #include "analysis/base/library.h"
@@ -28,6 +29,10 @@ struct effects {
 
 /* greatest number of accesses; calls of functions with more are refused */
 enum { SUMMARY_LIMIT = 4000 };
+
+/* greatest number of updates that a list has for reports only. Without a limit, each function would
+ * list those of all functions below it in the call graph */
+enum { LISTED_LIMIT = 64 };
 
 effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
                      variable_facts *facts) {
@@ -57,6 +62,21 @@ static const ir_node *found_element(arena *a, const ir_node *from, const ir_node
 
 /* ---- summaries ------------------------------------------------------------------------------- */
 
+/* Is it an update whose element the caller can name? */
+static bool is_listed(const access *item) {
+    return item->kind == ACCESS_UPDATE && item->lvalue && item->is_exact;
+}
+
+static void list_update(arena *a, access_list *list, access item) {
+    if (is_listed(&item) && list->listed.count < LISTED_LIMIT)
+        VECTOR_PUSH(a, &list->listed, item);
+}
+
+static void list_updates(arena *a, access_list *list, const access_vector *from) {
+    for (unsigned i = 0; i < from->count; i++)
+        list_update(a, list, from->items[i]);
+}
+
 static bool is_own(const effects *all, const ir_function *function, const ir_node *lvalue,
                    location *where) {
     *where = location_of(all->facts, lvalue, NULL);
@@ -79,6 +99,9 @@ static void summarise_access(effects *all, const callee_terms *terms, const acce
     if (where.object && item->kind != ACCESS_READ) {
         access_problem problem = {REASON_IMPURE_CALL, item->node, function->name};
         VECTOR_PUSH(all->memory, &result->problems, problem);
+        kept = callee_terms_of(terms, item);
+        kept.callee = function;
+        list_update(all->memory, result, kept);
         return;
     }
     if (where.is_of_locale) {
@@ -122,6 +145,12 @@ static void summarise(effects *all, const ir_function *function, access_list *re
                                 .raw = &raw};
     for (unsigned i = 0; i < raw.items.count && i <= SUMMARY_LIMIT; i++)
         summarise_access(all, &terms, &raw.items.items[i], result);
+    access_list listed = {0};
+    for (unsigned i = 0; i < raw.listed.count; i++)
+        summarise_access(all, &terms, &raw.listed.items[i], &listed);
+    list_updates(all->memory, result, &listed.items);
+    list_updates(all->memory, result, &listed.listed);
+    result->atomic = raw.atomic;
 }
 
 const access_list *effects_of(effects *all, const ir_function *function) {
@@ -272,10 +301,33 @@ static const element_bounds *bounds_for_caller(access_walk *w, const element_bou
     return is_spelled ? own : NULL;
 }
 
+/* The access of the called function, expressed by the caller's variables. */
+static access access_for_caller(access_walk *w, access item, const ir_node *call) {
+    arena *a = w->memory;
+    const ir_function *function = call->children[0]->function;
+    item.node = call;
+    item.callee = function;
+    if (!item.loop_count)
+        item.is_behind = item.is_conditional;
+    if (item.lvalue) {
+        item.lvalue = ir_substitute(a, item.lvalue, function, &call->children[1]);
+        item.is_exact = item.is_exact && expression_is_plain(item.lvalue) &&
+                        is_declared_before(item.lvalue, call);
+    }
+    if (item.loop_count)
+        item.loops = loops_for_caller(w, &item, call);
+    if (item.bounds)
+        item.bounds = bounds_for_caller(w, item.bounds, call);
+    if (item.from) {
+        item.from = ir_substitute(a, item.from, function, &call->children[1]);
+        item.to = found_element(a, item.from, call);
+    }
+    return item;
+}
+
 static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
     const ir_function *function = call->children[0]->function;
     assert(call->kind == IR_CALL && function && function->body);
-    effects *all = w->all;
     if (call->child_count - 1 != function->parameter_count) {
         access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
         return;
@@ -286,32 +338,48 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         w->list->may_set_errno = true;
         w->list->errno_setter = known->errno_setter;
     }
-    for (unsigned i = 0; i < known->items.count; i++) {
-        access item = known->items.items[i];
-        item.node = call;
-        item.callee = function;
-        if (!item.loop_count)
-            item.is_behind = item.is_conditional;
-        if (item.lvalue) {
-            item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
-            item.is_exact = item.is_exact && expression_is_plain(item.lvalue) &&
-                            is_declared_before(item.lvalue, call);
-        }
-        if (item.loop_count)
-            item.loops = loops_for_caller(w, &item, call);
-        if (item.bounds)
-            item.bounds = bounds_for_caller(w, item.bounds, call);
-        if (item.from) {
-            item.from = ir_substitute(all->memory, item.from, function, &call->children[1]);
-            item.to = found_element(all->memory, item.from, call);
-        }
-        access_add(w, item);
-    }
+    for (unsigned i = 0; i < known->items.count; i++)
+        access_add(w, access_for_caller(w, known->items.items[i], call));
     if (known->ends.count) {
-        VECTOR_PUSH(all->memory, &w->list->ends, call);
+        VECTOR_PUSH(w->memory, &w->list->ends, call);
         w->condition_depth++; /* never decreased, because the code after it may not be executed */
     }
 }
+
+/* ---- updates for reports --------------------------------------------------------------------- */
+
+static void list_updates_of_call(access_walk *w, const ir_node *call, const access_vector *known) {
+    for (unsigned i = 0; i < known->count && w->list->listed.count < LISTED_LIMIT; i++)
+        if (is_listed(&known->items[i]))
+            list_update(w->memory, w->list, access_for_caller(w, known->items[i], call));
+}
+
+/* Lists the updates of a called function with problems (known is NULL if it is recursive). */
+static void list_known_call(access_walk *w, const ir_node *call, const access_list *known) {
+    if (!known || call->child_count - 1 != call->children[0]->function->parameter_count)
+        return;
+    list_updates_of_call(w, call, &known->items);
+    list_updates_of_call(w, call, &known->listed);
+    if (known->atomic)
+        w->list->atomic = known->atomic;
+}
+
+const char *access_walk_atomic(access_walk *w, const ir_node *node) {
+    const char *name = atomic_name(w->memory, w->all->unit, node);
+    const ir_node *target = name ? atomic_pointee(w->memory, node, 0) : NULL;
+    if (name)
+        w->list->atomic = name;
+    if (target && expression_is_plain(target))
+        list_update(w->memory, w->list,
+                    (access){.kind = ACCESS_UPDATE,
+                             .lvalue = target,
+                             .is_exact = true,
+                             .type = target->type,
+                             .node = node});
+    return name;
+}
+
+/* ---- all calls ------------------------------------------------------------------------------- */
 
 static void walk_library_call(access_walk *w, const ir_node *call, const library_function *found) {
     if (ir_type_is_floating(call->type))
@@ -337,6 +405,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     const char *openmp = NULL;
     bool by_user = is_presumed_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
+    access_walk_atomic(w, call);
     if (library_is_message_passing(function)) { /* takes precedence over what attributes and the
                                                  * user state */
         access_problem_add(w, REASON_MESSAGE_PASSING, call, function->name);
@@ -344,20 +413,23 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
     } else if (function->body && (openmp = text_openmp_in(w->memory, w->all->unit, function))) {
+        /* the function might start another team of threads */
         access_problem_add(w, REASON_EXISTING_OPENMP, call,
-                           arena_format(w->memory, "'%s'", openmp)); /* the function would start
-                                                                      * another team of threads */
+                           arena_format(w->memory, "'%s', in '%s'", openmp, function->name));
+        list_known_call(w, call, effects_of(w->all, function));
     } else if (function->body && !function->linkage.is_weak) {
         const access_list *known = effects_of(w->all, function);
-        if (!known)
+        if (!known) {
             access_problem_add(w, REASON_RECURSION, call, function->name);
-        else if (known->problems.count && by_user)
+        } else if (known->problems.count && by_user) {
             walk_pure_call(w, call, true);
-        else if (known->problems.count)
+        } else if (known->problems.count) {
             access_problem_add(w, known->problems.items[0].why, call,
                                known->problems.items[0].name);
-        else
+            list_known_call(w, call, known);
+        } else {
             walk_known_call(w, call, known);
+        }
     } else if (by_user) {
         walk_pure_call(w, call, true);
     } else if (library) {
@@ -376,16 +448,19 @@ void access_collect(effects *all, const ir_node *node, access_list *list) {
     access_walk_node(&walk, node);
 }
 
-void access_collect_known(effects *all, const ir_node *call, access_list *list) {
-    access_collect(all, call, list);
-    const ir_function *function = call->children[0]->function;
-    const access_list *known = list->problems.count == 1 ? effects_of(all, function) : NULL;
+void access_collect_known(effects *all, const ir_node *node, access_list *list) {
+    access_collect(all, node, list);
+    for (unsigned i = 0; i < list->listed.count; i++)
+        VECTOR_PUSH(all->memory, &list->items, list->listed.items[i]);
+    const ir_function *function = node->kind == IR_CALL ? ir_called_function(node) : NULL;
+    const access_list *known =
+        function && function->body && list->problems.count == 1 ? effects_of(all, function) : NULL;
     if (!known || !known->problems.count ||
         known->problems.items[0].why != list->problems.items[0].why)
         return;
     access_list every = {0};
     access_walk walk = {all->memory, all, &every, 0, false};
-    walk_known_call(&walk, call, known);
+    walk_known_call(&walk, node, known);
     for (unsigned i = 0; i < every.items.count; i++)
         if (every.items.items[i].is_exact && !every.items.items[i].loop_count)
             VECTOR_PUSH(all->memory, &list->items, every.items.items[i]);

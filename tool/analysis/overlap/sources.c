@@ -51,7 +51,7 @@ static bool refuse_callee(loop_analysis *j, const loop_access *read) {
 static bool refuse_overlap(loop_analysis *j, const loop_access *read, const loop_array *array) {
     if (read->access.callee)
         return refuse_callee(j, read);
-    return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
+    return analysis_refuse_read(j, array, read->access.node);
 }
 
 /* Marks the read for the guard if its extent can be determined; otherwise refuses the loop. */

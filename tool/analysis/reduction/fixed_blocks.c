@@ -16,13 +16,12 @@ typedef struct search {
     const analyser *an;
     const ir_function *function;
     ir_node *loop;
-    const char *why;     /* the first reason against fixed blocks; NULL if none has been found */
-    bool is_for_devices; /* that reason is OPENMP_DEVICES */
+    openmp_kept why; /* the first reason against fixed blocks */
 } search;
 
 static void refuse(search *s, const char *format, const char *name) {
-    if (!s->why)
-        s->why = arena_format(s->an->memory, format, name);
+    if (!s->why.text)
+        s->why.text = arena_format(s->an->memory, format, name);
 }
 
 static const ir_variable *variable_of(const search *s, const char *name) {
@@ -212,10 +211,8 @@ static void check_body(search *s, const fixed_blocks *blocks) {
         refuse(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
     if (begins_under_condition(s))
         refuse(s, "'%s' has several beginnings", s->function->name);
-    if (openmp_has_devices(unit)) {
-        s->is_for_devices = !s->why;
-        refuse(s, "%s", OPENMP_DEVICES);
-    }
+    if (!s->why.text)
+        s->why = openmp_kept_for_devices(unit);
     if (is_shared_inline(s->function, unit->source))
         refuse(s, "'%s' is inline but not static: it cannot hold static data", s->function->name);
     if (s->function->has_errors || unit->dialect.refusing_option)
@@ -287,29 +284,29 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
     if (!unread && blocks->scalar_count == 0 && !may_reduce(&blocks->directive, above))
         return false;
     if (unread || blocks->directive.kept)
-        s.why = unread ? "a directive that is not written as one" : blocks->directive.kept;
+        s.why.text = unread ? "a directive that is not written as one" : blocks->directive.kept;
     else if (count > 1)
-        s.why = "several directives above the loop";
+        s.why.text = "several directives above the loop";
     else if (blocks->directive.construct > OPENMP_FOR)
-        s.why = "the construct, which is no 'parallel for' or 'for'";
+        s.why.text = "the construct, which is no 'parallel for' or 'for'";
     const counted_loop counted = check_header(&s, blocks);
-    blocks->inner = s.why ? NULL : find_inner(&s, blocks);
+    blocks->inner = s.why.text ? NULL : find_inner(&s, blocks);
     name_counter(&s, blocks, &counted);
     check_body(&s, blocks);
     blocks->lock = lock_in(an->unit, loop->range);
-    if (!s.why && blocks->directive.construct == OPENMP_FOR)
-        s.why =
+    if (!s.why.text && blocks->directive.construct == OPENMP_FOR)
+        s.why.text =
             team_of_loop(an, function, loop, &blocks->directive, counted.counter, &blocks->team);
-    *verdict = (loop_verdict){.kind = s.why ? VERDICT_REFUSE : VERDICT_BLOCKS,
+    *verdict = (loop_verdict){.kind = s.why.text ? VERDICT_REFUSE : VERDICT_BLOCKS,
                               .loop = loop,
                               .function = function,
                               .facts = facts_of(&s, &counted, blocks)};
-    if (s.why)
+    if (s.why.text)
         verdict->why = reason_make(an->memory, REASON_EXISTING_OPENMP,
-                                   arena_format(an->memory, "%s, in '%s'", s.why,
+                                   arena_format(an->memory, "%s, in '%s'", s.why.text,
                                                 openmp_plain_text(an->memory, above->text)),
                                    loop->range);
-    if (s.is_for_devices)
-        verdict->why.advice = OPENMP_DEVICES_ADVICE;
+    if (s.why.advice)
+        verdict->why.advice = s.why.advice;
     return true;
 }

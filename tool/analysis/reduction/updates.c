@@ -442,8 +442,7 @@ static bool check_plain_reads(loop_analysis *j) {
                 !is_read_of_own_element(j, read) &&
                 locations_overlap(&j->an->rules, &read->where, &j->arrays.items[k].where) ==
                     OVERLAP_SAME)
-                return analysis_refuse(j, REASON_ARRAY_READ, read->access.node,
-                                       j->arrays.items[k].array.name);
+                return analysis_refuse_read(j, &j->arrays.items[k], read->access.node);
     }
     return true;
 }
