@@ -479,15 +479,25 @@ bool counted_constant_sets(const ir_node *node, const ir_variable *variable) {
     return true;
 }
 
-static bool counter_range(const ir_node *node, int64_t *low, int64_t *high) {
+constant_loop counted_constant_around(const ir_node *node, const ir_node *outermost,
+                                      const ir_variable *variable) {
     const ir_node *child = node;
-    for (const ir_node *loop = node->parent; loop; child = loop, loop = loop->parent) {
+    for (const ir_node *loop = node->parent; loop && loop != outermost;
+         child = loop, loop = loop->parent) {
         const ir_variable *counter;
+        constant_loop found = {.loop = loop};
         if (loop->kind == IR_FOR && child == loop->children[3] &&
-            counted_constant(loop, &counter, low, high) && counter == node->variable)
-            return true;
+            counted_constant(loop, &counter, &found.first, &found.last) && counter == variable)
+            return found;
     }
-    return false;
+    return (constant_loop){0};
+}
+
+static bool counter_range(const ir_node *node, int64_t *low, int64_t *high) {
+    const constant_loop found = counted_constant_around(node, NULL, node->variable);
+    *low = found.first;
+    *high = found.last;
+    return found.loop != NULL;
 }
 
 static bool binary_range(const ir_node *node, int64_t *low, int64_t *high) {

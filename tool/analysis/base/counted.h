@@ -45,6 +45,17 @@ bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
                       int64_t *last);
 
+/** A loop that counted_constant accepts, with its counter's least and greatest value. */
+typedef struct constant_loop {
+    const ir_node *loop; /* NULL: there is none */
+    int64_t first, last;
+} constant_loop;
+
+/** Returns the innermost constant loop that the variable counts, that has `node` in its body, and
+ *  that is inside `outermost`, or anywhere if `outermost` is NULL. */
+constant_loop counted_constant_around(const ir_node *node, const ir_node *outermost,
+                                      const ir_variable *variable);
+
 /** Is the variable named only in constant loops that it counts? Then the value that it has
  *  elsewhere does not matter. */
 bool counted_constant_sets(const ir_node *node, const ir_variable *variable);
