@@ -215,6 +215,51 @@ static int reaches_its_row(int k) {
     return made[0] + k;
 }
 
+static int minimum(int k) {
+    double best = 9;
+    int at = -1;
+    while (k > 0) { // EXPECT: transformed
+        --k;
+        h[s[k]] += e[k];
+        if (e[k] < best) {
+            best = e[k];
+            at = k;
+        }
+    }
+    return at + k;
+}
+
+static int triangle(int n) {
+    int q = 0, i;
+    for (i = 0; i < n;) { // EXPECT: transformed
+        i++;
+        for (int j = i; j < n; j++) {
+            h[s[q % N]] += e[j];
+            q++;
+        }
+    }
+    return q + i;
+}
+
+static int ends_by_return(int k) {
+    do { // EXPECT: transformed
+        k--;
+        if (s[k] < 0)
+            return k;
+        h[s[k]] += e[k];
+    } while (k > 0);
+    return -1;
+}
+
+static int drains(double *restrict t, int k) {
+    while (k > 0) { // EXPECT: transformed
+        --k;
+        h[s[k]] += t[k];
+        t[k] = 0;
+    }
+    return k;
+}
+
 static int rows_inside(int n) {
     int made = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -247,6 +292,7 @@ static int rows_to_bounds(const int *begin, int n) {
 
 int main(void) {
     static int begin[N];
+    static double t[N];
     unsigned long sum = 0;
     case_values(e, N + 9);
     for (int t = 0; t < N; t++)
@@ -267,15 +313,20 @@ int main(void) {
             sum = 3 * sum + (unsigned long)(to_a_bound(n, -0) + to_a_bound(n, 1));
             sum = 3 * sum + unsigned_to_a_bound((unsigned)n, 0);
             sum = 3 * sum + unsigned_to_a_bound((unsigned)n, 5);
-            sum = 3 * sum + (unsigned long)until_negative(n);
+            sum = 3 * sum + (unsigned long)(until_negative(n) + minimum(n) + triangle(n / 3));
+            for (int i = 0; i < N; i++)
+                t[i] = 1 + e[i];
+            sum = 3 * sum + (unsigned long)drains(t, n);
+            CASE_PRINT(t);
             if (n > 0)
                 sum = 3 * sum + (unsigned long)once_or_more(n) + once_or_more_unsigned((unsigned)n);
         }
         sum = 3 * sum + (unsigned long)(down(-7) + at_least_one(-7) + by_fours(-7));
         const int row = s[N / 3];
         s[N / 3] = -1;
-        sum = 3 * sum + (unsigned long)until_negative(N);
+        sum = 3 * sum + (unsigned long)(until_negative(N) + ends_by_return(N));
         s[N / 3] = row;
+        sum = 3 * sum + (unsigned long)ends_by_return(N);
     }
     printf("%lu\n", sum);
     CASE_PRINT(h);
