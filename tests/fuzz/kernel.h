@@ -102,6 +102,7 @@ typedef struct kernel {
     bool sets_in_headers; /* has_spans and seed % 7 == 2 */
     bool has_helpers;     /* seed % 7 == 0: helpers.c */
     bool has_idioms;      /* seed % 11 == 0: idioms.c */
+    bool has_steps;       /* seed % 9 == 7: put_step_statement */
     bool has_strides;     /* seed % 13 == 0: steps that are variables */
     bool has_drains;      /* seed % 17 == 0: read_then_stored, local records, i + 1 < n */
     bool has_parts;       /* seed % 6 == 1: loop_over_parts */

@@ -243,6 +243,46 @@ static const char *put_do(kernel *k, const char *counter, buffer *b) {
     return again;
 }
 
+typedef struct statement_form {
+    const char *type, *first;       /* %s is the bound */
+    const char *head, *step, *last; /* %1$s: the counter, %2$s: the bound */
+    bool is_plain;
+} statement_form;
+
+static const statement_form statement_forms[] = {
+    {"int", "%s", "while (%1$s > 0) ", "--%1$s;\n", "}\n", false},
+    {"long", "%s", "for (; %1$s >= 1;) ", "%1$s = %1$s - 1;\n", "}\n", false},
+    {"int", "-1", "while (%1$s < %2$s - 1) ", "%1$s++;\n", "}\n", true},
+    {"size_t", "%s", "while (%1$s > 0) ", "%1$s--;\n", "}\n", false},
+    {"unsigned", "%s", "while (%1$s) ", "double early;\n%1$s -= 1;\n(void)early;\n", "}\n", false},
+    {"unsigned", "%s", "while (0 != %1$s) ", "--%1$s;\n", "}\n", false},
+    {"int", "%s", "if (%1$s > 0)\ndo ", "--%1$s;\n", "} while (%1$s);\n", false},
+    {"int", "%s - 1", "if (%1$s > 0)\nwhile (%1$s) ", NULL, "--%1$s;\n}\n", false},
+    {"int", "0", "for (; %1$s < %2$s;) ", NULL, "%1$s++;\n}\n", true},
+};
+
+/* A loop whose step is the first or last statement of the body, only in programs with
+ * seed % 9 == 7. Returns the text after the body; stores that before it in *step. */
+static const char *put_step_statement(kernel *k, const char *counter, buffer *b,
+                                      const char **step) {
+    const statement_form *form = &statement_forms[below(k, LENGTH(statement_forms))];
+    k->has_plain_header = form->is_plain;
+    k->may_continue = form->step != NULL;
+    k->has_outer_counter = true;
+    k->counter_type = form->type;
+    put(k, &k->locals, "    %s %s = 0;\n", form->type, counter);
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+    put(k, b, "%s = (%s)(%s);\n", counter, form->type, text(k, form->first, k->trip));
+    put(k, b, form->head, counter, k->trip);
+    *step = form->step ? text(k, form->step, counter, k->trip) : "";
+    const char *last = text(k, form->last, counter, k->trip);
+#pragma GCC diagnostic pop
+    if (chance(k, 60))
+        put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, counter);
+    return last;
+}
+
 typedef struct stride_form {
     const char *type, *first; /* %1$s: the counter, %2$s: the bound, %3$s: the stride */
     const char *head;
@@ -346,13 +386,15 @@ static void put_alike(kernel *k, void (*put_one)(kernel *)) {
 
 static void put_loop(kernel *k, bool with_bait, const char *counter) {
     const bool is_while = chance(k, 6);
-    const char *end = "}\n";
+    const char *step = "", *end = "}\n";
     buffer head = {0};
     choose_bound(k);
     if (k->has_idioms && chance(k, 25))
         end = put_do(k, counter, &head);
     else if (k->has_strides && chance(k, 40))
         end = put_stride(k, with_bait, counter, &head);
+    else if (k->has_steps && chance(k, 40))
+        end = put_step_statement(k, counter, &head, &step);
     else if (is_while)
         end = put_while(k, counter, &head);
     else if (k->is_wide && chance(k, 6))
@@ -361,7 +403,7 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
         put_bound(k, counter, &head);
     else
         put_header(k, counter, &head);
-    put(k, &k->body, "%s{\n", head.data);
+    put(k, &k->body, "%s{\n%s", head.data, step);
     buffer_free(&head);
     add_name(&k->scope.positions, counter);
     if (k->has_lookups && chance(k, 60))
@@ -450,6 +492,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_helpers = seed % 7 == 0;
     k.has_idioms = seed % 11 == 0;
     k.has_strides = seed % 13 == 0;
+    k.has_steps = seed % 9 == 7;
     k.has_drains = seed % 17 == 0;
     k.has_parts = seed % 6 == 1;
     k.has_turns = seed % 7 == 6;

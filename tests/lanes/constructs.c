@@ -53,6 +53,24 @@ static void lifted_declared_outside(int n, const struct element *restrict e,
     }
 }
 
+static void lifted_step_at_start(int n, const struct element *restrict e,
+                                 const double (*restrict p)[3], double *restrict b) {
+    int t = n;
+    while (t > 0) {
+        --t;
+        b[e[t].node[0]] += p[e[t].node[1]][0] * e[t].area + t;
+    }
+}
+
+static void lifted_step_at_end(int n, const struct element *restrict e,
+                               const double (*restrict p)[3], double *restrict b) {
+    int t = 0;
+    while (t < n) {
+        b[e[t].node[0]] += p[e[t].node[1]][0] * e[t].area - t;
+        t++;
+    }
+}
+
 static void lifted_integers(int n, const struct element *restrict e, const double (*restrict p)[3],
                             double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -664,6 +682,8 @@ int main(void) {
             EACH(lifted_arithmetic(n, element, P, force), force);
             EACH(lifted_accumulation(n, element, P, single), single);
             EACH(lifted_declared_outside(n, element, P, force), force);
+            EACH(lifted_step_at_start(n, element, P, single), single);
+            EACH(lifted_step_at_end(n, element, P, single), single);
             EACH(lifted_integers(n, element, P, single), single);
             EACH(lifted_changed_parameters(n, element, P, single), single);
             EACH(lifted_zeros(n, element, P, single), single);

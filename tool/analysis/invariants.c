@@ -37,6 +37,9 @@ static void assert_counted(const counted_loop *counted) {
     assert(counted->ahead == 0 ||
            (counted->ahead > 0 && counted->step == 1 && !counted->stride &&
             counted->counter->type->kind == IR_INTEGER && !counted->steps_inside));
+    assert(!counted->steps_at_start ||
+           (!counted->steps_inside && !counted->steps_first && !counted->ends_below &&
+            ir_contains(counted->body, counted->increment)));
     assert(!counted->stride || (counted->counter->type->kind == IR_INTEGER &&
                                 (counted->step == 1 || counted->step == -1)));
     assert(counted->start_count <= sizeof counted->starts / sizeof *counted->starts);

@@ -76,6 +76,11 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
 
 /* ---- rows that each iteration reads -------------------------------------------------------- */
 
+/** Returns the difference between the counter's value after the loop and in the last iteration. */
+static const char *last_step(loop_text *loop) {
+    return loop->facts->counted.steps_at_start ? "0" : loop_step(loop);
+}
+
 /** Writes extents from the row of the first iteration to that of the last, in either order in
  *  memory. */
 static void fill_affine_extents(loop_text *loop, writer *out) {
@@ -86,7 +91,7 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     out->depth++;
     writer_line(out, "%s %s = (%s)REDCC_FIRST_OR_LAST(%s);", loop->counter_type,
                 origin_declarator(loop->arena, counted->counter), loop->counter_type,
-                loop_step(loop));
+                last_step(loop));
     for (unsigned i = 0; i < loop->plan->source_count; i++) {
         if (loop->plan->sources[i].fact->extent != EXTENT_AFFINE ||
             loop->plan->sources[i].fact->is_checked)
@@ -200,7 +205,7 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
     const loop_source *read = loop->plan->sources[number].fact;
     const bool descends = loop->facts->counted.step < 0;
     const char *last = arena_format(
-        loop->arena, descends ? "redcc__final - (%s)" : "redcc__final - %s", loop_step(loop));
+        loop->arena, descends ? "redcc__final - (%s)" : "redcc__final - %s", last_step(loop));
     row_address address;
     if (!row_address_of(read->row, &address)) {
         loop_obstacle(loop, read->row->range,

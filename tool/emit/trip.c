@@ -8,6 +8,9 @@
  * value fails, so that the original loop runs: if the loop wraps around or never ends; if it
  * compares differently in an unsigned type than in redcc_int; if a variable stride is less than 1;
  * if a do loop has a single iteration because its first value does not satisfy the condition.
+ *
+ * If each iteration begins with the step (steps_at_start), the count is computed from the counter's
+ * value before the loop, redcc__entry, as if the step came last. redcc__lower is one step further.
  */
 #include <assert.h>
 #include <stdarg.h>
@@ -98,6 +101,7 @@ typedef struct header {
     bool compares_wide; /* the comparison is in 64 bits */
     bool ascends;
     bool inclusive;
+    const char *first;     /* the name of the value with which the count begins */
     const char *stride;    /* |step| as text, or NULL if it is 1 */
     bool lower_is_natural; /* lower is a constant >= 0 */
     bool ends_at_bound;    /* the counter's value after the loop is the bound itself */
@@ -117,6 +121,7 @@ static header header_of(arena *a, const counted_loop *counted) {
     h.stride = counted->stride ? "redcc__stride"
                : step == 1     ? NULL
                                : arena_format(a, "%lld", (long long)step);
+    h.first = counted->steps_at_start ? "redcc__entry" : "redcc__lower";
     h.lower_is_natural = !counted->steps_first && is_natural_constant(counted->lower, h.counter);
     h.ends_at_bound = !h.stride && !h.inclusive;
     return h;
@@ -128,15 +133,15 @@ static void require_of_ends(conditions *list, const header *h) {
         !h->lower_is_natural && (h->counter->is_signed || h->counter->size == WIDE_SIZE);
     const bool bound_is_natural = is_natural_constant(h->counted->bound, h->bound);
     if (h->compares_unsigned && lower_may_be_negative)
-        require(list, "redcc__lower >= 0");
+        require(list, "%s >= 0", h->first);
     if (h->compares_unsigned && h->compares_wide && !h->ascends && !bound_is_natural)
         require(list, "redcc__bound >= 0");
     const bool is_simple = h->ends_at_bound && !h->counted->ahead &&
                            (h->ascends ? h->lower_is_natural : bound_is_natural);
     if (!h->compares_wide || is_simple)
         return;
-    const char *low = h->ascends ? "redcc__lower" : "redcc__bound";
-    const char *high = h->ascends ? "redcc__bound" : "redcc__lower";
+    const char *low = h->ascends ? h->first : "redcc__bound";
+    const char *high = h->ascends ? "redcc__bound" : h->first;
     if (!h->compares_unsigned && !(h->ascends ? h->lower_is_natural : bound_is_natural))
         require(list, "%s >= -%s", low, limit);
     require(list, "%s <= %s", high, limit);
@@ -154,17 +159,17 @@ static void require_of_final(conditions *list, const header *h, const char *coun
         require(list, "redcc__final == (%s)redcc__final", counter_type);
 }
 
-static const char *comparison_text(const header *h) {
-    if (h->ascends)
-        return h->inclusive ? "redcc__lower <= redcc__bound" : "redcc__lower < redcc__bound";
-    return h->inclusive ? "redcc__lower >= redcc__bound" : "redcc__lower > redcc__bound";
+static const char *comparison_text(arena *a, const header *h) {
+    return arena_format(a, "%s %c%s redcc__bound", h->first, h->ascends ? '<' : '>',
+                        h->inclusive ? "=" : "");
 }
 
 /** Returns the trip count of a loop that iterates: span / stride + 1 if the bound is inclusive,
  * otherwise (span - 1) / stride + 1. `span` is the distance from lower to bound. If h->stride is
  * NULL, the stride is 1. */
 static const char *count_text(arena *a, const header *h) {
-    const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
+    const char *span = h->ascends ? arena_format(a, "redcc__bound - %s", h->first)
+                                  : arena_format(a, "%s - redcc__bound", h->first);
     if (!h->stride)
         return h->inclusive ? arena_format(a, "%s + 1", span) : span;
     return arena_format(a, h->inclusive ? "(%s) / %s + 1" : "(%s - 1) / %s + 1", span, h->stride);
@@ -173,8 +178,8 @@ static const char *count_text(arena *a, const header *h) {
 static const char *final_text(arena *a, const header *h, const char *count) {
     const char *sign = h->ascends ? "+" : "-";
     if (!h->stride)
-        return arena_format(a, "redcc__lower %s %s", sign, count);
-    return arena_format(a, "redcc__lower %s %s * %s", sign, h->stride, count);
+        return arena_format(a, "%s %s %s", h->first, sign, count);
+    return arena_format(a, "%s %s %s * %s", h->first, sign, h->stride, count);
 }
 
 const char *counter_after(loop_text *loop) {
@@ -201,7 +206,7 @@ static const char *first_text(loop_text *loop, const header *h) {
     return arena_format(loop->arena, "(redcc_int)(%s)%s", loop->counter_type, text);
 }
 
-/** The counter's value in the first iteration. */
+/** The counter's value in the first iteration, or before a step at its start. */
 static const char *lower_text(loop_text *loop, const header *h) {
     const char *first = first_text(loop, h);
     return h->counted->steps_first ? arena_format(loop->arena, "(redcc_int)((redcc_word)%s %c 1)",
@@ -243,11 +248,21 @@ static void write_count(loop_text *loop, writer *out, const header *h, const cha
                 count);
 }
 
+/** Declares the counter's value in the first iteration if its step is at the start. There need not
+ * be an iteration; hence the arithmetic in words. */
+static void write_first_value(writer *out, const header *h) {
+    if (h->counted->steps_at_start)
+        writer_line(out,
+                    "const redcc_int redcc__lower = (redcc_int)((redcc_word)redcc__entry %c "
+                    "(redcc_word)%s);",
+                    h->ascends ? '+' : '-', h->stride ? h->stride : "1");
+}
+
 const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     const header h = header_of(loop->arena, &loop->facts->counted);
     conditions ends = {0};
     require_of_ends(&ends, &h);
-    require(&ends, "%s", comparison_text(&h));
+    require(&ends, "%s", comparison_text(loop->arena, &h));
     const bool counts_up =
         !h.stride && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
     const bool is_open = loop->facts->slice.exits && loop->facts->slice.exits->open;
@@ -256,9 +271,10 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
                     macro_argument(loop->arena, lower_text(loop, &h)),
                     macro_argument(loop->arena, bound_text(loop, &h)));
     } else {
-        writer_line(out, "const redcc_int redcc__lower = %s,", lower_text(loop, &h));
+        writer_line(out, "const redcc_int %s = %s,", h.first, lower_text(loop, &h));
         writer_line(out, "redcc__bound = %s,", bound_text(loop, &h));
         write_count(loop, out, &h, ends.text.data);
+        write_first_value(out, &h);
     }
     buffer_free(&ends.text);
 

@@ -25,8 +25,9 @@ unsigned series_of(const loop_facts *facts, unsigned number);
 const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
 /** Do the inner loop's first and last iterations have the extreme addresses of its updates? */
 bool has_hull(const loop_facts *facts, const ir_node *loop);
-/** Returns the increment at the end of a while or do loop's body. The executor makes this increment
- * itself, so copies of the body omit it. Returns NULL if there is none. */
+/** Returns the increment that is a statement at the end or beginning of the loop's body. The
+ * executor makes this increment itself, so copies of the body omit it. Returns NULL if there is
+ * none. */
 const ir_node *body_increment(const loop_facts *facts);
 
 /** Is the variable private to the iteration, or declared in the body? */

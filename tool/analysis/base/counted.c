@@ -79,9 +79,22 @@ static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t
            *ahead <= INT16_MAX;
 }
 
+/* Is it `v != 0` with an unsigned counter v that counts down? Then it means the same as `v > 0`. */
+static bool is_above_zero(const counted_loop *counted) {
+    int64_t bound;
+    return counted->comparison == IR_OP_NOT_EQUAL && counted->ahead == 0 && counted->step < 0 &&
+           ir_type_is_plain_integer(counted->counter->type) && !counted->counter->type->is_signed &&
+           expression_constant(counted->bound, &bound) && bound == 0;
+}
+
 /* Splits a condition that compares the counter, on either side, with a bound. Returns false if the
- * condition has another form, or if the bound mentions the counter. */
+ * condition has another form, or if the bound mentions the counter. The step is known. */
 static bool split_condition(const ir_node *condition, counted_loop *counted) {
+    if (expression_is_variable(condition, counted->counter)) {
+        counted_split_bare(counted);
+        counted->comparison = is_above_zero(counted) ? IR_OP_GREATER : IR_OP_NOT_EQUAL;
+        return true;
+    }
     if (condition->kind != IR_BINARY || !is_comparison(condition->op))
         return false;
     if (is_compared(condition->children[0], counted->counter, &counted->ahead)) {
@@ -94,6 +107,8 @@ static bool split_condition(const ir_node *condition, counted_loop *counted) {
         return false;
     }
     assert(is_comparison(counted->comparison));
+    if (is_above_zero(counted))
+        counted->comparison = IR_OP_GREATER;
     return !expression_mentions(counted->bound, counted->counter);
 }
 
@@ -205,7 +220,7 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_end(loop, loop->lower)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
     for (unsigned i = 0; !loop->steps_inside && (i < loop->body->child_count || i == 0); i++) {
-        /* skips the increment at the end of a while or do loop's body */
+        /* skips an increment that is a statement of the body */
         const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
         if (!part || part == increment)
             continue;
@@ -326,6 +341,65 @@ static bool split_inside(const ir_node *condition, counted_loop *counted) {
     return false;
 }
 
+/* Is the statement a step of the variable that the condition compares? */
+static bool split_step_statement(const ir_node *loop, const ir_node *condition,
+                                 const ir_node *statement, counted_loop *counted) {
+    *counted = (counted_loop){.body = counted->body, .increment = statement};
+    return statement->kind == IR_EXPRESSION && split_step(loop, statement->children[0], counted) &&
+           split_condition(condition, counted);
+}
+
+/* Does the declaration declare only scalars and pointers to them, so that it has no other
+ * expressions than initialisers? */
+static bool declares_scalars(const ir_node *statement) {
+    for (unsigned i = 0; i < statement->child_count; i++) {
+        const ir_node *declarator = statement->children[i];
+        const ir_type *type = declarator->kind == IR_DECLARATOR ? declarator->variable->type : NULL;
+        while (type && type->kind == IR_POINTER)
+            type = type->target;
+        if (!type || !ir_type_is_scalar(type))
+            return false;
+    }
+    return statement->kind == IR_DECLARATION;
+}
+
+/* Recognises a step that precedes all other statements of the body, but for declarations that do
+ * not mention the counter, as in while (k > 0) { --k; h[s[k]]++; }. The body may `continue` after
+ * it. */
+static bool split_step_at_start(const ir_node *loop, const ir_node *condition,
+                                counted_loop *counted) {
+    const ir_node *body = counted->body;
+    unsigned at = 0;
+    while (at < body->child_count && declares_scalars(body->children[at]))
+        at++;
+    if (at == body->child_count ||
+        !split_step_statement(loop, condition, body->children[at], counted) || counted->step == 0)
+        return false;
+    for (unsigned i = 0; i < at; i++)
+        if (expression_mentions(body->children[i], counted->counter))
+            return false;
+    counted->steps_at_start = true;
+    return true;
+}
+
+/* Recognises a step that is the last or the first statement of the body. */
+static counted_result recognise_step_statement(const ir_node *loop, const ir_node *condition,
+                                               counted_loop *counted) {
+    const ir_node *body = counted->body;
+    if (body->kind != IR_BLOCK || body->child_count == 0)
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
+    const ir_node *last = body->children[body->child_count - 1];
+    if (split_step_statement(loop, condition, last, counted)) {
+        if (ir_continues(body) || counted->step == 0)
+            return not_counted(REASON_TRIP_COUNT, loop, counted->counter->name);
+    } else if (!split_step_at_start(loop, condition, counted)) {
+        return not_counted(REASON_TRIP_COUNT, condition, NULL);
+    }
+    if (loop->kind == IR_FOR && !split_start(loop, counted))
+        return not_counted(REASON_TRIP_COUNT, condition, counted->counter->name);
+    return check(counted, loop, counted->increment);
+}
+
 static counted_result recognise_for(const ir_node *loop) {
     const ir_node *increment = expression_of(loop->children[2]);
     const ir_node *condition = expression_of(loop->children[1]);
@@ -337,8 +411,10 @@ static counted_result recognise_for(const ir_node *loop) {
         split_start(loop, &counted))
         return check(&counted, loop, NULL);
     counted = (counted_loop){.body = loop->children[3]};
-    if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
+    if (condition->kind == IR_EMPTY)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
+    if (increment->kind == IR_EMPTY)
+        return recognise_step_statement(loop, condition, &counted);
     const ir_node *all = increment;
     if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA) {
         counted_result refused;
@@ -383,16 +459,12 @@ static counted_result recognise_while(const ir_node *loop) {
     if (split_inside(condition, &counted))
         return check(&counted, loop, NULL);
     counted = (counted_loop){.body = body};
-    if (body->kind != IR_BLOCK || body->child_count == 0)
-        return not_counted(REASON_TRIP_COUNT, loop, NULL);
-    const ir_node *last = body->children[body->child_count - 1];
-    if (last->kind != IR_EXPRESSION || !split_step(loop, last->children[0], &counted) ||
-        !split_condition(condition, &counted))
-        return not_counted(REASON_TRIP_COUNT, condition, NULL);
-    if (ir_continues(body) || counted.step == 0)
-        return not_counted(REASON_TRIP_COUNT, loop, counted.counter->name);
-    counted.increment = last;
-    return check(&counted, loop, last);
+    return recognise_step_statement(loop, condition, &counted);
+}
+
+bool counted_steps_by_statement(const ir_node *loop, const counted_loop *counted) {
+    return counted->steps_at_start || (loop->kind == IR_FOR && !counted->steps_inside &&
+                                       ir_contains(counted->body, counted->increment));
 }
 
 counted_result counted_recognise_analysed(ir_node *loop) {
@@ -406,7 +478,8 @@ counted_result counted_recognise_analysed(ir_node *loop) {
 static counted_result restricted(counted_result result, const ir_node *loop, bool steps_others) {
     if (!result.is_counted)
         return result;
-    if (loop->kind == IR_DO || compares_while_stepping(&result.loop))
+    if (loop->kind == IR_DO || compares_while_stepping(&result.loop) ||
+        counted_steps_by_statement(loop, &result.loop) || counted_is_bare(&result.loop))
         return not_counted(REASON_TRIP_COUNT, result.loop.increment, result.loop.counter->name);
     if (result.loop.counter->address_taken)
         return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
@@ -479,15 +552,25 @@ bool counted_constant_sets(const ir_node *node, const ir_variable *variable) {
     return true;
 }
 
-static bool counter_range(const ir_node *node, int64_t *low, int64_t *high) {
+constant_loop counted_constant_around(const ir_node *node, const ir_node *outermost,
+                                      const ir_variable *variable) {
     const ir_node *child = node;
-    for (const ir_node *loop = node->parent; loop; child = loop, loop = loop->parent) {
+    for (const ir_node *loop = node->parent; loop && loop != outermost;
+         child = loop, loop = loop->parent) {
         const ir_variable *counter;
+        constant_loop found = {.loop = loop};
         if (loop->kind == IR_FOR && child == loop->children[3] &&
-            counted_constant(loop, &counter, low, high) && counter == node->variable)
-            return true;
+            counted_constant(loop, &counter, &found.first, &found.last) && counter == variable)
+            return found;
     }
-    return false;
+    return (constant_loop){0};
+}
+
+static bool counter_range(const ir_node *node, int64_t *low, int64_t *high) {
+    const constant_loop found = counted_constant_around(node, NULL, node->variable);
+    *low = found.first;
+    *high = found.last;
+    return found.loop != NULL;
 }
 
 static bool binary_range(const ir_node *node, int64_t *low, int64_t *high) {

@@ -27,7 +27,7 @@ counted_result counted_recognise_with_others(ir_node *loop);
 /** Recognises more loops. The caller must check their additional properties:
  *  - the bound may call functions;
  *  - the counter may be a pointer, have its address taken outside of the loop, and be stepped by
- *    the condition or the body;
+ *    the condition or the body; the condition may be the bare counter;
  *  - the header may set a variable to the bound (bound_variable), and step variables other than the
  *    counter;
  *  - the step need not be constant (stride);
@@ -35,6 +35,10 @@ counted_result counted_recognise_with_others(ir_node *loop);
  *  - in a do loop the first value may fail the condition, or the counter may never reach the bound.
  *    The do loop's iterations then differ from those that counter, bound and step imply. */
 counted_result counted_recognise_analysed(ir_node *loop);
+
+/** Is the step the first statement of the loop's body, or any statement of a for loop's body? Only
+ *  counted_recognise_analysed recognises such loops. */
+bool counted_steps_by_statement(const ir_node *loop, const counted_loop *counted);
 
 /** Is it a step of a variable by a constant: v++, v += c, v = v + c and the like? Stores the
  *  variable and the step. */
@@ -44,6 +48,17 @@ bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
  *  least and the greatest value of its counter in the body, whichever way it counts. */
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
                       int64_t *last);
+
+/** A loop that counted_constant accepts, with its counter's least and greatest value. */
+typedef struct constant_loop {
+    const ir_node *loop; /* NULL: there is none */
+    int64_t first, last;
+} constant_loop;
+
+/** Returns the innermost constant loop that the variable counts, that has `node` in its body, and
+ *  that is inside `outermost`, or anywhere if `outermost` is NULL. */
+constant_loop counted_constant_around(const ir_node *node, const ir_node *outermost,
+                                      const ir_variable *variable);
 
 /** Is the variable named only in constant loops that it counts? Then the value that it has
  *  elsewhere does not matter. */

@@ -34,6 +34,16 @@ static ir_operator after_step(ir_operator comparison, int64_t step) {
     return comparison == IR_OP_LESS && step > 0 ? IR_OP_LESS_EQUAL : IR_OP_NONE;
 }
 
+void counted_split_bare(counted_loop *counted) {
+    assert(counted->counter && counted->step != 0);
+    counted->comparison = IR_OP_NOT_EQUAL;
+    counted->bound = &zero;
+}
+
+bool counted_is_bare(const counted_loop *counted) {
+    return counted->bound == &zero;
+}
+
 bool counted_split_stepping(const ir_node *condition, counted_loop *counted) {
     const ir_node *step = condition;
     counted->comparison = IR_OP_NOT_EQUAL;

@@ -6,6 +6,12 @@
 
 #include "analysis/base/facts.h"
 
+/** Compares a bare counter, as in `while (n)`, with the int 0, which is stored as the bound. */
+void counted_split_bare(counted_loop *counted);
+
+/** Was the bound stored by counted_split_bare or by counted_split_stepping for a bare `n--`? */
+bool counted_is_bare(const counted_loop *counted);
+
 /** Fills in counter, step, increment, comparison and bound, and sets steps_first and ends_below.
  *  The comparison applies to the counter after the step. Returns false if the condition has another
  *  form. */

@@ -67,17 +67,20 @@ typedef struct counted_loop {
                             * is 1 or -1. The stride is an expression of invariant variables;
                             * generated code checks that it is at least 1. If NULL, the counter
                             * changes by `step` */
-    const ir_node *body;   /* the statement executed in each iteration. In a while or do loop its
-                            * last statement may be `increment`, which the generated copy of the
-                            * body omits */
+    const ir_node *body;   /* the statement executed in each iteration. If the header has no step,
+                            * the body's last statement may be `increment`, or its first one
+                            * (steps_at_start). The generated copy of the body omits it */
     const ir_node *increment;
-    bool steps_inside; /* in a while or do loop: `increment` is v++ or v-- somewhere in the body,
-                        * and the copy of the body includes it. The iteration does not use v after
-                        * it */
-    bool steps_first;  /* the condition steps the counter before the body, so the first iteration
-                        * has `lower` plus one step */
-    bool ends_below;   /* the condition steps the counter after comparing it, so an unsigned
-                        * counter ends one step below 0 */
+    bool steps_at_start; /* `increment` is the first statement of the body that is no declaration:
+                          * iterations use the counter only after the step. The trip count, `lower`
+                          * and the final value are those of a step at the end */
+    bool steps_inside;   /* in a while or do loop: `increment` is v++ or v-- somewhere in the body,
+                          * and the copy of the body includes it. The iteration does not use v after
+                          * it */
+    bool steps_first;    /* the condition steps the counter before the body, so the first iteration
+                          * has `lower` plus one step */
+    bool ends_below;     /* the condition steps the counter after comparing it, so an unsigned
+                          * counter ends one step below 0 */
 } counted_loop;
 
 /* ---- arrays, updates ----------------------------------------------------------------------- */

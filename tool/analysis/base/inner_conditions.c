@@ -29,9 +29,10 @@ static bool may_move(ir_node *loop) {
     if ((loop->kind != IR_FOR && loop->kind != IR_WHILE) || loop->flags & IR_OPENED)
         return false;
     const ir_node *header = loop->children[header_of(loop)];
+    const counted_result counted = counted_recognise_analysed(loop);
     return header->kind != IR_EMPTY && !ir_any(loop, is_of_macro) &&
            expression_has_load(new_nodes_expression(header), false) &&
-           !counted_recognise_analysed(loop).is_counted;
+           (!counted.is_counted || counted_steps_by_statement(loop, &counted.loop));
 }
 
 static void move(inner_conditions *moved, arena *a, const source *text, ir_function *function,

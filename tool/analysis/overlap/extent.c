@@ -349,13 +349,10 @@ static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bo
 
 /* Does a constant loop around the node, which is a variable, count it by steps of 1 or -1? */
 static bool takes_each_value(const ir_node *node) {
-    const ir_variable *counter;
+    const ir_node *loop = counted_constant_around(node, NULL, node->variable).loop;
     ir_variable *stepped;
-    int64_t first, last, step;
-    for (const ir_node *loop = node->parent; loop; loop = loop->parent)
-        if (counted_constant(loop, &counter, &first, &last) && counter == node->variable)
-            return counted_step(loop->children[2], &stepped, &step) && (step == 1 || step == -1);
-    return false;
+    int64_t step;
+    return loop && counted_step(loop->children[2], &stepped, &step) && (step == 1 || step == -1);
 }
 
 /* Is the subscript c, c + k or c - k, with a constant k and the counter c of a constant loop that

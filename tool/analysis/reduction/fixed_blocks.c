@@ -134,7 +134,8 @@ static bool is_plain_count(const counted_result *found, const ir_node *loop) {
     const counted_loop *counted = &found->loop;
     return found->is_counted && loop->kind == IR_FOR && !counted->stride && !counted->ahead &&
            counted->start_count == 0 && !counted->bound_variable && !counted->ends_below &&
-           !counted->steps_first && is_integer(counted->lower) && is_integer(counted->bound) &&
+           !counted->steps_first && !counted_steps_by_statement(loop, counted) &&
+           is_integer(counted->lower) && is_integer(counted->bound) &&
            counted->counter->type->kind == IR_INTEGER && counted->counter->type->size <= 8 &&
            !counted->counter->type->is_volatile;
 }

@@ -136,6 +136,8 @@ static void write_block(vectoriser *l, const ir_node *block) {
     for (unsigned i = 0; i < block->child_count; i++) {
         const ir_node *statement = block->children[i];
         const bool updates_here = lane_has_update(facts, statement);
+        if (statement == body_increment(facts))
+            continue; /* each lane's counter is computed, after a step at the body's beginning */
         if (!is_pending && lane_is_exit(statement))
             write_exit(l, statement->children[0]);
         else if (!is_pending && updates_here && i + 1 == block->child_count &&

@@ -19,25 +19,13 @@
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
-const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
-                              const ir_variable *counter) {
-    const ir_variable *stepped;
-    int64_t first, last;
-    for (const ir_node *node = place; node && node != span; node = node->parent)
-        if (counted_constant(node, &stepped, &first, &last) && stepped == counter)
-            return node;
-    return NULL;
-}
-
 /** Returns the value of `counter` in the first or, if is_at_last, in the last row of the current
  * span. Returns NULL unless `counter` counts a loop with constant bounds. */
 static const char *end_value(inspector *self, const ir_variable *counter) {
-    const ir_node *loop = vector_loop_of(self->span, self->place, counter);
-    const ir_variable *stepped;
-    int64_t first, last;
-    if (!loop || !counted_constant(loop, &stepped, &first, &last))
+    const constant_loop found = counted_constant_around(self->place, self->span, counter);
+    if (!found.loop)
         return NULL;
-    const int64_t number = self->is_at_last ? last : first;
+    const int64_t number = self->is_at_last ? found.last : found.first;
     const char *value =
         arena_format(self->loop->arena, number < 0 ? "(%lld)" : "%lld", (long long)number);
     return counter->type->is_signed && counter->type->size == 4

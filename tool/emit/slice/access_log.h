@@ -58,10 +58,6 @@ const char *log_row_text(inspector *self, const ir_node *row);
  * `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
-/** Returns the loop with constant bounds, inside the span and around `place`, whose counter is
- * `counter`; NULL if there is none. */
-const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
-                              const ir_variable *counter);
 /** Logs the range of a span from its first row, whose address is in redcc__begin_N (N is `row`), to
  * the last row, `item`. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter);

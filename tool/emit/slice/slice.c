@@ -5,6 +5,7 @@
  */
 #include "emit/slice/slice.h"
 
+#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
 #include "analysis/base/row_steps.h"
@@ -104,8 +105,8 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
  * the row are compared. */
 static bool has_same_ends(const ir_node *row, const ir_node *span, const ir_node *place,
                           const ir_node *other) {
-    if (row->kind == IR_VARIABLE &&
-        vector_loop_of(span, place, row->variable) != vector_loop_of(span, other, row->variable))
+    if (row->kind == IR_VARIABLE && counted_constant_around(place, span, row->variable).loop !=
+                                        counted_constant_around(other, span, row->variable).loop)
         return false;
     for (unsigned i = 0; i < row->child_count; i++)
         if (!has_same_ends(row->children[i], span, place, other))
