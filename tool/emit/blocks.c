@@ -9,6 +9,7 @@
 #include "emit/block_ranges.h"
 #include "emit/macro_names.h"
 #include "emit/team_parts.h"
+#include "emit/text/layout.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
@@ -109,24 +110,25 @@ static void write_directive(loop_text *loop, writer *out) {
     if (is_of_team(loop))
         write_team_begin(loop, out);
     write_if_any(loop, out, is_of_team(loop));
-    buffer_format(&out->out, "#pragma omp %s schedule(%s)",
+    buffer line = {0};
+    buffer_format(&line, "#pragma omp %s schedule(%s)",
                   is_of_team(loop) ? "for nowait" : "parallel for",
                   blocks->is_balanced ? "static" : "dynamic");
     for (unsigned i = 0; i < blocks->directive.item_count; i++) {
         const openmp_item *item = &blocks->directive.items[i];
         if (item->kind != OPENMP_REDUCTION && item->kind != OPENMP_SCHEDULE &&
             item->kind != OPENMP_COLLAPSE && item->kind != OPENMP_NOWAIT)
-            buffer_format(&out->out, " %s(%s)", item->word, item->text);
+            buffer_format(&line, " %s(%s)", item->word, item->text);
     }
-    if (is_of_team(loop)) {
-        buffer_byte(&out->out, '\n');
-        return;
+    if (!is_of_team(loop)) {
+        buffer_text(&line, " \\\n    shared(redcc__parts");
+        write_shared(loop, &line);
+        for (unsigned i = 0; i < blocks->scalar_count; i++)
+            buffer_format(&line, ", %s", name_of(loop, i));
+        buffer_byte(&line, ')');
     }
-    buffer_text(&out->out, " \\\n    shared(redcc__parts");
-    write_shared(loop, &out->out);
-    for (unsigned i = 0; i < blocks->scalar_count; i++)
-        buffer_format(&out->out, ", %s", name_of(loop, i));
-    buffer_text(&out->out, ")\n");
+    layout_directive(&out->out, line.data);
+    buffer_free(&line);
 }
 
 /** Writes the beginning of the loop over blocks: a block's private variables, and the header of the

@@ -2,10 +2,13 @@
 #include "emit/continuation.h"
 
 #include <assert.h>
+#include <string.h>
 
 #include "emit/base/step.h"
 #include "emit/call.h"
+#include "emit/text/layout.h"
 #include "emit/text/origin.h"
+#include "ir/ir_position.h"
 #include "plan/continuation.h"
 
 static void begin_header(loop_text *loop, writer *out, uint32_t begin) {
@@ -37,15 +40,19 @@ uint32_t write_continued_header(loop_text *loop, writer *out, uint32_t begin) {
     const char *text = loop->whole->source->text;
     const uint32_t body = loop->facts->counted.body->range.begin;
     uint32_t at = begin;
+    buffer header = {0};
     begin_header(loop, out, begin);
     for (unsigned i = 0; i < count; i++) {
-        origin_copy(&out->out, text, at, parts[i].range.begin);
-        buffer_text(&out->out, condition_before(loop, &parts[i]));
-        origin_copy(&out->out, text, parts[i].range.begin, parts[i].range.end);
-        buffer_text(&out->out, ")");
+        origin_copy(&header, text, at, parts[i].range.begin);
+        buffer_text(&header, condition_before(loop, &parts[i]));
+        origin_copy(&header, text, parts[i].range.begin, parts[i].range.end);
+        buffer_text(&header, ")");
         at = parts[i].range.end;
     }
-    origin_copy(&out->out, text, at, body);
+    origin_copy(&header, text, at, body);
+    layout_copy(&out->out, header.data, ir_position_of(loop->unit, begin).line,
+                (unsigned)strlen(loop_column_blanks(loop, begin)));
+    buffer_free(&header);
     buffer_text(&out->out, "\n#else\n");
     begin_header(loop, out, begin);
     for (at = begin; at < body; at++)

@@ -125,7 +125,7 @@ static void write_no_lanes(const loop_text *loop, writer *out) {
 
 /** Writes the opening brace of the loop's block, and a comment. Compilations that take other
  * branches (as_compiled.h) do not see the brace. */
-static void open_block(loop_text *loop, writer *out) {
+static void open_block(loop_text *loop, writer *out, uint32_t begin) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
                                            "in any order"};
@@ -136,8 +136,13 @@ static void open_block(loop_text *loop, writer *out) {
         begin_as_compiled(loop, &out->out);
         buffer_text(&out->out, "#ifdef redcc__as_compiled\n");
     }
-    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->plan->execution.order],
-                heading(loop));
+    /* broken as if the columns before it were blanks */
+    const char *blanks = loop_column_blanks(loop, begin);
+    writer line = {0};
+    writer_line(&line, "%s{ /* redcc: in parallel, %s: %s */", has_branches(loop) ? "" : blanks,
+                promises[loop->plan->execution.order], heading(loop));
+    const char *text = writer_text(loop->arena, &line);
+    buffer_text(&out->out, has_branches(loop) ? text : text + strlen(blanks));
     buffer_text(&out->out, has_branches(loop) ? "#endif\n" : "");
     write_no_lanes(loop, out);
 }
@@ -164,7 +169,7 @@ static const char *write_loads(loop_text *loop, writer *out) {
 /** Writes the parallel form. Returns where the text of the original loop that is still to be
  * written begins; the loop's text begins at `begin`. */
 static uint32_t write_parallel_form(loop_text *loop, writer *out, uint32_t begin) {
-    open_block(loop, out);
+    open_block(loop, out, begin);
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
     writer_line(out, "%sREDCC_QUIET_BEGIN", loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "");
@@ -209,16 +214,27 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     origin_copy(&out->out, text, range.begin, range.end);
 }
 
+/** Is the line of the file that contains this place too long for `more` bytes in addition? */
+static bool is_too_long(const loop_text *loop, uint32_t place, size_t more) {
+    const source *text = loop->unit->source;
+    const uint32_t begin = text->line_begin[source_position(text, place).line - 1];
+    return strcspn(text->text + begin, "\r\n") + more > MOST_COLUMNS;
+}
+
 /** Writes the end of the block. The timing of the sequential loop ends there. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
     const bool has_condition = /* some compilations do not time the loop */
         loop->facts->slice.has_floating_work || has_crew(loop);
     const char *site = outlined_name(loop, "site");
-    if (!has_condition && !has_branches(loop)) {
-        buffer_format(&out->out, " REDCC_OVER(%s) }", site);
+    const char *over = arena_format(loop->arena, "REDCC_OVER(%s)", site);
+    if (!has_condition && !has_branches(loop) &&
+        !is_too_long(loop, range.end - 1, strlen(over) + strlen("  }"))) {
+        buffer_format(&out->out, " %s }", over);
         return;
     }
     buffer_byte(&out->out, '\n');
+    if (!has_condition && !has_branches(loop))
+        writer_line(out, "%s", over);
     if (has_condition) {
         buffer_text(&out->out, loop_condition(loop));
         writer_line(out, "REDCC_OVER(%s)", site);

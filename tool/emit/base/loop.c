@@ -8,6 +8,8 @@
 
 #include "ir/ir_position.h"
 
+enum { MOST_BLANKS = 50 };
+
 void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...) {
     if (loop->obstacle)
         return;
@@ -41,8 +43,9 @@ const char *loop_line_directive(loop_text *loop, uint32_t offset) {
 
 const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
     const source *text = loop->unit->source;
-    const uint32_t begin = text->line_begin[source_position(text, offset).line - 1];
+    uint32_t begin = text->line_begin[source_position(text, offset).line - 1];
     assert(begin <= offset && offset <= text->length);
+    begin = offset - begin > MOST_BLANKS ? offset - MOST_BLANKS : begin;
     char *blanks = arena_allocate(loop->arena, offset - begin + 1);
     for (uint32_t i = begin; i < offset; i++)
         blanks[i - begin] = text->text[i] == '\t' ? '\t' : ' ';

@@ -79,7 +79,7 @@ const char *loop_operand(loop_text *loop, const ir_node *expression);
 /** `#line N "file"` for the user's text at `offset`. */
 const char *loop_line_directive(loop_text *loop, uint32_t offset);
 /** Blanks (and tabs) as wide as the text before `offset` on its line, so that the following text
- *  keeps its column. */
+ *  keeps its column, if it is before column 50. */
 const char *loop_column_blanks(loop_text *loop, uint32_t offset);
 /** The counter's step as text: "2", "redcc__stride". */
 const char *loop_step(loop_text *loop);

@@ -24,8 +24,10 @@
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
 #include "emit/text/edit.h"
+#include "emit/text/layout.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
+#include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
 #include "plan/inner_iterations.h"
 #include "plan/lanes.h"
@@ -466,12 +468,14 @@ void write_iteration(loop_text *loop, writer *out) {
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
-    buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
-                  loop_column_blanks(loop, body->range.begin));
+    const char *blanks = loop_column_blanks(loop, body->range.begin);
+    buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin), blanks);
     const bool continues = ir_continues(body);
     loop_exits_hide(loop->facts->slice.exits, false);
-    buffer_text(&out->out, continues ? "do " : "");
-    buffer_text(&out->out, text);
+    const char *head = continues ? "do " : "";
+    buffer_text(&out->out, head);
+    layout_copy(&out->out, text, ir_position_of(loop->unit, body->range.begin).line,
+                (unsigned)(strlen(blanks) + strlen(head)));
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");
     keep_own(loop, out);
     note_live_outs(loop, out);

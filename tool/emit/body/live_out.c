@@ -29,9 +29,11 @@ void declare_conditional_live_outs(loop_text *loop, writer *out) {
 void write_note(loop_text *loop, writer *out, unsigned number) {
     assert(loop->facts->variables.privates[number].is_conditional_live_out);
     writer_line(out, "if (redcc__k >= *redcc__when_%u) {", number);
-    writer_line(out, "    *redcc__when_%u = redcc__k;", number);
-    writer_line(out, "    *redcc__noted_%u = %s;", number,
+    out->depth++;
+    writer_line(out, "*redcc__when_%u = redcc__k;", number);
+    writer_line(out, "*redcc__noted_%u = %s;", number,
                 origin_variable(loop->arena, loop->facts->variables.privates[number].variable));
+    out->depth--;
     writer_line(out, "}");
 }
 

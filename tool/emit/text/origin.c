@@ -56,11 +56,15 @@ const char *origin_value(arena *a, const ir_type *type, const char *expression) 
     return arena_format(a, "%s%s", mark(a, ORIGIN_VALUE, type, 0), expression);
 }
 
+void origin_copy_bytes(buffer *out, const char *bytes, uint32_t from, uint32_t length) {
+    buffer_format(out, format, letters[ORIGIN_COPY], (unsigned long long)from,
+                  (unsigned long)length);
+    buffer_append(out, bytes, length);
+}
+
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end) {
     assert(begin <= end);
-    buffer_format(out, format, letters[ORIGIN_COPY], (unsigned long long)begin,
-                  (unsigned long)(end - begin));
-    buffer_append(out, text + begin, end - begin);
+    origin_copy_bytes(out, text + begin, begin, end - begin);
 }
 
 /* ---- reading ------------------------------------------------------------------------------- */
@@ -95,8 +99,16 @@ const char *origin_skip(const char *at, const char *end) {
 }
 
 bool origin_is_copy(const char *at, const char *end) {
+    uint32_t from;
+    return origin_copied(at, end, &from);
+}
+
+const char *origin_copied(const char *at, const char *end, uint32_t *from) {
     mark_text read;
-    return read_mark(at, end, &read) && read.kind == ORIGIN_COPY;
+    if (!read_mark(at, end, &read) || read.kind != ORIGIN_COPY)
+        return NULL;
+    *from = (uint32_t)read.meant;
+    return read.after;
 }
 
 typedef struct unmarking {

@@ -53,6 +53,10 @@ const char *origin_value(arena *a, const ir_type *type, const char *expression);
 /** Appends bytes [begin, end) of `text`, marked as a copy of these bytes of the main file. */
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
 
+/** The same, for `length` bytes that are a part of the main file, or of a copy, from offset `from`
+ * on. */
+void origin_copy_bytes(buffer *out, const char *bytes, uint32_t from, uint32_t length);
+
 /** Returns the text without marks, in the arena. The marks' contents are added to *origins (NULL:
  *  they are not needed). If `has_crlf`, each LF without a preceding CR gets one. */
 const char *origin_unmark(arena *a, const char *marked, size_t length, bool has_crlf,
@@ -61,5 +65,8 @@ const char *origin_unmark(arena *a, const char *marked, size_t length, bool has_
 const char *origin_skip(const char *at, const char *end);
 /** Does a copy begin at `at`? */
 bool origin_is_copy(const char *at, const char *end);
+/** The first of the copied bytes, if a copy begins at `at`, otherwise NULL. Sets *from to their
+ * offset in the file. */
+const char *origin_copied(const char *at, const char *end, uint32_t *from);
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "emit/text/origin.h"
 
-enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
+enum { SPACES_A_LEVEL = 4 };
 
 /** The state after scanning a part of a line of marked text. */
 typedef struct line_scan {

@@ -5,6 +5,9 @@
 
 #include "ir/ir_c.h"
 
+/** The greatest length of a generated line, unless it is the user's own. */
+enum { MOST_COLUMNS = 100 };
+
 /** Lines of generated C. */
 typedef struct writer {
     buffer out; /* owned: end with writer_text or buffer_free */
