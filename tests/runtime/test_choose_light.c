@@ -185,8 +185,9 @@ static void a_plan_that_repays(void **unused) {
 
 /* Page faults make the first execution without a plan slow: it gains 15 % where later ones gain 35
  * %. A second one follows at once, although the first was not clearly faster and the sample has
- * left a debt. If the first execution gained nothing, the loop waits. */
-static void a_first_execution_that_gains(void **unused) {
+ * left a debt. It also follows if the first execution has lost a little, as on a busy machine; if
+ * it has lost much, the loop waits. */
+static void a_first_execution_that_is_slow(void **unused) {
     (void)unused;
     struct trace *trace = light(31);
     trace->possible[WAY_INDEX] = false;
@@ -199,7 +200,9 @@ static void a_first_execution_that_gains(void **unused) {
     const int parallel = simulate(trace).parallel, first = trace->count - parallel;
     trace->call[first].execution[WAY_DIRECT] = 47e-3;
     assert_int_equal(simulate(trace).parallel, parallel);
-    trace->call[first].execution[WAY_DIRECT] = 56e-3;
+    trace->call[first].execution[WAY_DIRECT] = 62e-3;
+    assert_int_equal(simulate(trace).parallel, parallel);
+    trace->call[first].execution[WAY_DIRECT] = 72e-3;
     assert_in_range(simulate(trace).parallel, 5, parallel - 5);
     free(trace);
 }
@@ -299,7 +302,7 @@ int main(void) {
         cmocka_unit_test(threads_are_lent_for_a_look),
         cmocka_unit_test(threads_that_start_late_for_a_light_loop),
         cmocka_unit_test(a_plan_that_repays),
-        cmocka_unit_test(a_first_execution_that_gains),
+        cmocka_unit_test(a_first_execution_that_is_slow),
         cmocka_unit_test(stops_say_nothing_of_a_plan),
         cmocka_unit_test(bins_are_not_the_end),
     };

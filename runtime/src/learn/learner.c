@@ -54,14 +54,26 @@ static double room_for(const struct choice *c, enum way way) {
     return credit_of(c->ledger) - reserved - risk * usual_of(c);
 }
 
+/* Is this the second execution by owners without a plan, whose first one has lost little, although
+ * they are expected to be clearly faster? */
+static bool is_second_directly(const struct choice *c, enum way way) {
+    const struct comparison *it = &c->size->comparison;
+    const struct arm *arm = &c->size->arm[way];
+    return way == WAY_DIRECT && c->size->phase == PHASE_COMPARING && it->contender == way &&
+           it->incumbent == WAY_SEQUENTIAL && !it->proven && it->pairs.timed == 0 &&
+           arm->timed.count == 1 && arm->execution < LEARN_CLEAR * c->size->looked_at &&
+           c->size->gained > -LEARN_RISK * usual_of(c);
+}
+
 /* May the strategy be executed with the present credit? A strategy that is clearly faster may run
  * while the credit is negative, because it repays the debt. But its executions together must have
  * gained time since the credit became negative. So one slow execution does not end its use. Page
- * faults make a first execution slow: if it gained nevertheless, a second one may follow. */
+ * faults make a first execution slow: a second one may follow if the first one has gained
+ * nevertheless or, without a plan, if it has lost little. */
 static bool may_execute(const struct choice *c, enum way way) {
     const bool is_second = c->size->arm[way].timed.count == 1;
     const bool repays = c->size->gained > 0 && !is_trial(c, way) && (is_clear(c, way) || is_second);
-    return repays || room_for(c, way) >= 0;
+    return repays || is_second_directly(c, way) || room_for(c, way) >= 0;
 }
 
 static bool fits(const struct choice *c, enum way way) {
