@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Forces and energy of a Lennard-Jones liquid, from neighbour lists in which each pair occurs
- * once. In the version by hand, each thread owns a share of the atoms, and skips rows that contain
- * none of them. Energies are stored first, and then added up in the order of the sequential
- * loop. */
+ * once. In the version by hand, each thread owns a share of the atoms, and skips the lists that
+ * begin after its share or end before it. Energies are stored first, and then added up in the order
+ * of the sequential loop. */
 #include "meet.h"
 
 #include <math.h>
@@ -81,7 +81,7 @@ static void find_neighbours(double reach) {
     for (int i = 0; i < ATOMS; i++) {
         start[i] = count;
         last[i] = i;
-        /* atoms whose numbers differ by more are not neighbours */
+        /* atoms whose numbers differ by `layer` (three layers) or more are not neighbours */
         const int layer = 3 * SIDE * SIDE;
         for (int j = i + 1; j < ATOMS && j < i + layer; j++) {
             const double dx = at[i][0] - at[j][0], dy = at[i][1] - at[j][1],

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Analyses one loop by all checks in order, and gives its verdict. */
+/* Analyses one loop by the checks in order, if necessary again in altered forms, and gives its
+ * verdict. */
 #include "analysis/verdict.h"
 
 #include <assert.h>

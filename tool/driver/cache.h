@@ -2,8 +2,10 @@
 /**
  * A cache of the translator's and the compiler's answers about a source, from one call of redcc-cc
  * to the next. The key covers everything that an answer depends on: the program, its arguments, the
- * environment, and the contents of all files that a preprocessor could read (closure.h). If the set
- * of these files is unknown, the source is not cached. An answer is stored only if all files that
+ * environment, and the contents of all files that a preprocessor could read for the source: its
+ * closure (closure.h). The translator's answers also depend on functions of the project's other
+ * files, and an object on the things that cached_run.beside covers; the key covers these as well.
+ * If the closure is unknown, the source is not cached. An answer is stored only if all files that
  * were read are in the closure and nothing has changed in the meantime. Not thread-safe.
  */
 #ifndef DRIVER_CACHE_H
@@ -29,37 +31,41 @@ typedef struct cached_run {
     const digest *beside;    /**< a digest of other things on which the outputs depend, or NULL */
 } cached_run;
 
-/** Opens the store and identifies the programs. Returns NULL if nothing is to be cached. */
+/** Opens the store and identifies the programs. Returns NULL if answers cannot be cached. */
 struct cache *cache_open(session *s);
 
 /** Opens the cached answers about a source whose bytes are in `file`. Returns NULL if answers about
- * it are not cached. Then cached_run_program runs the program every time, and cached_restore and
+ * it cannot be cached. Then cached_run_program runs the program every time, and cached_restore and
  * cached_keep must not be called. */
 cached *cached_begin(session *s, const item *source, const char *file);
 
-/** Runs a program (session_run), or restores its outputs. Returns its exit status. */
+/** Restores the program's outputs; or runs it (session_run) and collects them for cached_end.
+ * Returns the exit status. */
 int cached_run_program(session *s, cached *c, const cached_run *run);
 
 /** Restores the outputs and the exit status of an earlier run; false if there is none in the
  * cache. */
 bool cached_restore(session *s, cached *c, const cached_run *run, int *status);
 
-/** Stores the outputs of the run for which cached_restore was last called, unless they may depend
- * on more than its inputs. `status`: the exit status with which the run ended. */
+/** Collects, for cached_end, the outputs of the run for which cached_restore was last called,
+ * unless they may depend on more than its inputs. `status`: the exit status with which the run
+ * ended. */
 void cached_keep(session *s, cached *c, const cached_run *run, int status);
 
 /** Returns the cached text about the subject `about`, which depends on `words`. Returns NULL if it
  * is not in the cache. */
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words);
 
-/** Stores a text, which cached_text then returns for the same `about` and `words`. */
+/** Collects a text for cached_end. Later calls of redcc-cc get it from cached_text, for the same
+ * `about` and `words`. */
 void cached_keep_text(session *s, cached *c, const char *about, const word_list *words,
                       const char *text);
 
 /** Reports that the compiler has read these files. */
 void cached_compiler_read(cached *c, const word_list *files);
 
-/** Stores the answers of this source if no input has changed since cached_begin. */
+/** Stores the collected answers about this source if all files that were read are in the closure,
+ * and the closure has not changed since cached_begin. */
 void cached_end(session *s, cached *c);
 
 #endif

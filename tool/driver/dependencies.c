@@ -61,7 +61,7 @@ static bool is_listed(const word_list *list, const char *name) {
     return false;
 }
 
-/* Is the file a header of the runtime, which only translated text includes? */
+/* Does the name end like that of a header of the runtime which only translated text includes? */
 static bool is_the_runtimes(const char *name) {
     static const char *const headers[] = {
         "/redcc/bins.h",   "/redcc/crew.h",   "/redcc/entry.h",    "/redcc/lanes.h",
@@ -76,7 +76,7 @@ static bool is_the_runtimes(const char *name) {
 }
 
 /* Returns the headers in a list, without the source itself, the runtime's headers, and repetitions.
- * gcc lists a header twice if it finds it by two paths. */
+ * gcc lists a header twice if it finds it by two paths that differ only in a leading "./". */
 static word_list headers_of(arena *a, const word_list *list, const char *path) {
     word_list headers = {0};
     const char *itself = without_dot_slash(path);
@@ -100,14 +100,9 @@ bool dependencies_equal(arena *a, const word_list *original, const char *path,
     return true;
 }
 
-/* This header of glibc's <math.h> tests _OPENMP only to choose between two equivalent spellings. */
-static const char indifferent_header[] = "/bits/math-vector.h";
-
 bool dependencies_mention(arena *a, const word_list *files, const char *word) {
     for (unsigned i = 0; i < files->count; i++) {
         size_t length;
-        if (source_ends_with(files->items[i], indifferent_header))
-            continue;
         const char *text = file_read(a, files->items[i], &length);
         if (!text || source_has_word(text, length, word))
             return true;

@@ -22,7 +22,7 @@ typedef struct layout {
 
 static const layout layouts[] = {
     {"bin/redcc", REDCC_LIBRARY_FOLDER, "include"}, /* installed; the root is the prefix */
-    {"bin/redcc", "lib", "include"},
+    {"bin/redcc", "lib", "include"},      /* installed, with the libraries in lib in any case */
     {"tool/redcc", "runtime", "include"}, /* built; the root is the build folder */
 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Finds the files that belong to this program, relative to its own path; no absolute path is
- * compiled in. */
+/** Finds the files that belong to this program, relative to its own path or to $REDCC_ROOT. No
+ * absolute path is compiled in, except REDCC_DOCUMENTS_URI if it is set. */
 #ifndef DRIVER_INSTALLATION_H
 #define DRIVER_INSTALLATION_H
 

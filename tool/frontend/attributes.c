@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reads attributes, mostly of functions: pure, const, noreturn, weak, alias, may_alias. */
+/* Reads attributes, mostly of functions: pure, const, noreturn, weak, ifunc, alias, weakref,
+ * may_alias, cleanup. Also reads the names in #pragma weak and threadprivate. */
 #include <string.h>
 
 #include "frontend/convert.h"

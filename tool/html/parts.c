@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Elements that several pages share. */
+/* What the index and the pages of the sources share: file names, the beginning and the end of a
+ * page, a loop's verdict, its share of the time, and its gain. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>

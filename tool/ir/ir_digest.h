@@ -6,8 +6,8 @@
 #include "ir/ir.h"
 
 /** Hashes everything that the analysis of the function uses: its body, the static functions that it
- *  calls directly or indirectly, their types and objects, and the dialect. Of other functions only
- *  the declarations are hashed. The hash does not depend on offsets, macros, strings, names of
+ *  names directly or through these, their types and objects, and the dialect. Of other functions
+ *  only the declarations are hashed. The hash does not depend on offsets, macros, strings, names of
  *  local variables, or arguments of functions that do not return. */
 uint64_t ir_digest(const ir_unit *unit, const ir_function *function);
 

@@ -191,7 +191,8 @@ static void plan_gathers(const loop_plan *plan, prefetch_plan *prefetch) {
 /* ---- all of it ----------------------------------------------------------------------------- */
 
 static const char *why_not(const loop_facts *facts, int64_t work) {
-    return facts->slice.has_floating_work ? "what its subscripts depend on may set errno"
+    return facts->slice.has_floating_work ? "its subscripts depend on floating-point work, which "
+                                            "may call a function that sets errno"
            : has_open_loop(facts, facts->counted.body) || has_source_loop(facts)
                ? "its subscripts are computed in a loop of unknown length"
            : work < LEAST_WORK ? "an iteration is too short"

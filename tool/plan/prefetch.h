@@ -7,15 +7,16 @@
  * whether they pay.
  *
  * Why it is sound: a prefetch changes no value and cannot fail, and the inspector evaluates the
- * same slice. A slice with floating-point work might set errno where the loop does not, so such
- * slices are not evaluated for prefetches.
+ * same slice. Floating-point arithmetic sets no errno. But a slice marked has_floating_work may
+ * call a mathematical function, which may set errno where the loop does not. So no slice with this
+ * mark is evaluated for prefetches.
  */
 #ifndef PLAN_PREFETCH_H
 #define PLAN_PREFETCH_H
 
 #include "plan/plan.h"
 
-/** Sets prefetch. Requires plan_execution. */
+/** Sets plan->prefetch. plan_execution must have been called. */
 void plan_prefetch(loop_plan *plan);
 
 #endif

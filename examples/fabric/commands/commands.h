@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The program's commands, one per file. */
+/** The program's commands. Each is in the file of its name, except export, which is in render.c.
+ * `run` has two more files, run_folder.c and run_resume.c. */
 #ifndef FABRIC_COMMANDS_COMMANDS_H
 #define FABRIC_COMMANDS_COMMANDS_H
 
@@ -33,7 +34,8 @@ int take_setting(const options *o, void *list);
             .kind = OPTION_OWN, .offset = offsetof(request_, settings), .take = take_setting       \
     }
 
-/** Applies the settings to the scene. Returns 0, or -1 after a message; the scene is then empty. */
+/** Applies the settings to the scene. Returns 0. If one is invalid, prints a message, empties the
+ *  scene and returns -1. */
 int make_settings(scene *s, const setting_list *settings);
 
 /** Finds and reads a scene and applies the settings. Returns 0, or -1 after a message. */

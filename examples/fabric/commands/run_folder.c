@@ -80,14 +80,15 @@ static int frame_path(const cloth_run *run, long step, char path[FILE_PATH_SIZE]
     return files_join(path, run->frames_folder, name);
 }
 
-/** Prints how many frames of earlier steps are missing: a resumed run does not write them again. */
+/** Prints how many frames up to the step of the checkpoint are missing: a resumed run does not
+ * write them again. */
 static void report_missing_frames(const cloth_run *run) {
     char path[FILE_PATH_SIZE];
     long missing = 0;
     for (long step = 0; step <= run->record.step; step++)
         missing += is_frame(run, step) && frame_path(run, step, path) == 0 && access(path, R_OK);
     if (missing > 0)
-        fprintf(stderr, "%s: %ld of the frames up to step %ld are missing, for pictures\n",
+        fprintf(stderr, "%s: %ld of the frames up to step %ld are missing and cannot be drawn\n",
                 run->frames_folder, missing, run->record.step);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The phases of a binned loop, as drawn in binning.h. */
+/** The phases of a binned loop, which binning.h lists. */
 #include "bins/binning.h"
 
 #include "base/clock.h"
@@ -26,9 +26,9 @@ enum {
  * rate is at most as high as it and at least kept_down_to times as high. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
-/* The seconds of pushing a trial's only round, as a fraction of the sequential loop's time, beyond
- * which the round is given up: all its records are lost. Applying the records follows, which took
- * at least an eighth of the time of pushing. */
+/* A trial's only round is given up, with all its records, if the trial is expected to need more
+ * than this fraction of the sequential loop's time until the records are pushed. Applying the
+ * records would follow, which took at least an eighth of the time of pushing. */
 static const double pushed_most = 0.8;
 
 static uint32_t stream_count(const struct binning *binning) {
@@ -84,9 +84,10 @@ static void begin_measure(const struct binning *binning, struct binner *binner) 
         redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
 }
 
-/* Hands out stretches of iterations that are spread evenly over the thread's share and include its
- * first and last iterations. Measures at most about one iteration in MEASURED (but at least two),
- * because the iterations may be expensive. */
+/* Hands out the next stretch of iterations; returns false after the last one. The stretches are
+ * spread evenly over the thread's share and include its first and last iterations. At most
+ * about one iteration in MEASURED is in them (but at least two), because the iterations may be
+ * expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
     if (!binner->begun)

@@ -23,9 +23,10 @@ double redcc_wake_seconds(void) {
     return measured > 0 ? measured : first_wake;
 }
 
-/* The number of running threads is queried at most once in this time, in seconds. A query takes 4
- * microseconds, but 15 to 400 microseconds after a loop whose data filled the caches. The result is
- * not used for longer, because another program may have run only for a moment. */
+/* In this time (in seconds), a thread queries the number of running threads at most once, unless it
+ * asks about another number of threads for a region. A query takes 4 microseconds, but 15 to 400
+ * microseconds after a loop whose data filled the caches. The result is not used for longer,
+ * because another program may have run only for a moment. */
 static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {

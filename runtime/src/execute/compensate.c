@@ -36,7 +36,7 @@ void redcc_rounding_add(const struct plan *plan, int thread) {
         for (size_t i = share_begin(plan, rounding, thread); rounding->value && i < end; i++) {
             if (rounding->value[i] == 0 || !isfinite(rounding->value[i]))
                 continue; /* an untouched element must not be written, and an infinite or NaN error
-                             not be added */
+                             must not be added */
             if (rounding->type == REDCC_FLOAT)
                 add_float((float *)(void *)rounding->first + i, rounding->value[i]);
             else

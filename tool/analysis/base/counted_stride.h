@@ -5,9 +5,9 @@
 
 #include "analysis/base/facts.h"
 
-/** Is `node` an integer expression of numbers and of local variables that change only by name, and
- *  not in `loop`? If so, its evaluation has no effect and gives the same value in all
- *  iterations. */
+/** Is `node` an integer expression of numbers and of local variables whose address is not taken
+ *  and that `loop` does not change? If so, its evaluation has no effect and gives the same value in
+ *  all iterations. */
 bool stride_is_steady(const ir_node *loop, const ir_node *node);
 
 /** The same for variables that may also change through their addresses, which the caller must

@@ -8,8 +8,9 @@
 #include "support/source.h"
 
 /** Analyses compare ids to learn which node comes first. So the new nodes have the id of the
- *  header's part from which they are made, which comes before the loop's body. A block has an id of
- *  its own: of statements that share an id, only one would be kept in a slice. */
+ *  header's part from which they are made, which comes before the loop's body. A jump, which comes
+ *  after its condition, has the id of the condition's last node. A block has an id of its own: of
+ *  statements that share an id, only one would be kept in a slice. */
 typedef struct node_maker {
     arena *memory;
     ir_function *function;
@@ -17,7 +18,8 @@ typedef struct node_maker {
     ir_range range; /* empty */
 } node_maker;
 
-/** Makes nodes for a loop of the function, with this part of its header, and this body. */
+/** Returns a maker of nodes for a loop of the function, with this part of its header, and this
+ * body. Makes no node yet. */
 node_maker new_nodes_for(arena *a, ir_function *function, const ir_node *header,
                          const ir_node *body);
 
@@ -34,7 +36,8 @@ ir_node *new_truth(const node_maker *m);
  *  statements keep their parents. The block's range is that of the body and its `;`. */
 ir_node *new_block_around(const node_maker *m, const source *text, ir_node *body, unsigned room);
 
-/** The expression of a part of a loop's header. */
+/** Returns the expression of a part of a loop's header: the part itself, or its child if it is an
+ *  IR_EXPRESSION. */
 const ir_node *new_nodes_expression(const ir_node *part);
 
 #endif

@@ -170,7 +170,8 @@ static void read_expression(reader *r, openmp_clause_kind kind, const char *word
     add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL, word});
 }
 
-/* The clauses of `parallel`, `for` and `parallel for`. */
+/* The clauses of `parallel`, `for` and `parallel for` whose kind depends only on their name.
+ * kind_of_loop_clause adds nowait and collapse. */
 static const struct {
     const char *word;
     openmp_clause_kind kind;
@@ -207,7 +208,7 @@ static openmp_clause_kind kind_of_loop_clause(openmp_construct construct, const 
 }
 
 /* The kind of a clause of `atomic` or `critical`. Hints, and words that state the default, have no
- * effect and are permitted. */
+ * effect. They get the kind OPENMP_SHARING, which needs no check. */
 static openmp_clause_kind kind_of_lock_clause(const char *word, const char *inside) {
     (void)inside;
     return strcmp(word, "update") == 0 || strcmp(word, "relaxed") == 0 || strcmp(word, "hint") == 0

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Parses one OpenMP directive: its construct and its clauses (OpenMP 4.5, chapter 2). */
+/** Parses one OpenMP directive: its construct and its clauses (OpenMP 4.5, chapter 2;
+ *  `allocate`, and `relaxed` and `hint` of `atomic`, are from OpenMP 5.0). */
 #ifndef ANALYSIS_OPENMP_DIRECTIVE_H
 #define ANALYSIS_OPENMP_DIRECTIVE_H
 
@@ -23,11 +24,12 @@ typedef enum openmp_clause_kind {
     OPENMP_IF,
     OPENMP_NUM_THREADS,
     OPENMP_SCHEDULE,
-    OPENMP_SHARING,     /* shared, default */
+    OPENMP_SHARING,     /* shared, default; of atomic and critical: update, relaxed, hint. None of
+                         * them needs a check */
     OPENMP_OF_REGION,   /* proc_bind, copyin, allocate: they concern the threads, not the loop */
     OPENMP_COLLAPSE,    /* collapse(N), with N from 1 to 9 (openmp_nest.h) */
     OPENMP_NOWAIT,      /* nowait, a clause of `for` */
-    OPENMP_OTHER_CLAUSE /* any other clause; its effect exists only with the directive */
+    OPENMP_OTHER_CLAUSE /* any other clause; the loop may not run without it */
 } openmp_clause_kind;
 
 /** One name in a clause's list; or a whole clause, if it has no list. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** #pragma redcc states facts about a loop or a function that the user guarantees. docs/pragmas.md
- *  explains each.
+/** #pragma redcc states facts that the user guarantees, about a loop or about functions. Only
+ *  `ignore` is a request. docs/pragmas.md explains each.
  *    private(NAME, ...) above a loop: each iteration writes these before it reads them
  *    independent above a loop: distinct pointers in it do not overlap
  *    ignore above a loop: it and the loops in it stay as they are

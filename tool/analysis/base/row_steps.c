@@ -5,7 +5,7 @@
 
 /* The greatest factor of a counter in a subscript such as `x[3 * i + c]` into an array of vectors.
  * The range from the first to the last element also contains elements that are not accessed, as it
- * does for records. With a greater factor it would contain too many. */
+ * does for arrays of structs. With a greater factor it would contain too many. */
 enum { MOST_FLAT = 16 };
 
 static int64_t if_short(int64_t steps) {
@@ -49,9 +49,9 @@ static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
                : 0;
 }
 
-/* Returns the element that contains the row, such as a[i] for `a[i].f.x` or `a[i].v[2]`, if the row
- * is the same part of each element. The range from the first of these parts to the last also
- * contains other parts. */
+/* If the row is the same part of each element of an array, such as `a[i].f.x` or `a[i].v[2]`,
+ * returns the element: a[i]. Otherwise returns the row itself. The range from the first of these
+ * parts to the last also contains other parts. */
 static const ir_node *element_around(const ir_node *row) {
     for (;; row = row->children[0]) {
         const bool is_member = row->kind == IR_MEMBER && !(row->flags & IR_ARROW) && row->field &&

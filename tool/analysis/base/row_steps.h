@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Computes how far a row's address advances when a counter advances by 1. */
+/** Computes how far a row's address advances when a counter advances by 1. A row is here the lvalue
+ *  that is accessed, such as a[i].x. */
 #ifndef ANALYSIS_ROW_STEPS_H
 #define ANALYSIS_ROW_STEPS_H
 

@@ -434,7 +434,8 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         j->slice.is_verifiable = false;
     }
     j->slice.is_verifiable = j->slice.is_verifiable && is_stable && has_rows;
-    j->slice.has_floating_work |= !has_rows; /* computing the rows is then part of it */
+    j->slice.has_floating_work |= !has_rows; /* only the threads' copies of the body then compute
+                                              * the rows, and must agree */
     if (!check_scalars_unread(j))
         return false;
     if (!is_small(j))

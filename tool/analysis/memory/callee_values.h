@@ -26,7 +26,8 @@ typedef struct callee_rewriting {
 } callee_rewriting;
 
 /** A copy of an address, or of an operand of one, expressed by the parameters and the file's
- *  objects. Clears is_exact if a part is unknown. */
+ *  objects. Clears is_exact if a part is unknown, may change while the function runs, or names an
+ *  object that the caller cannot name. */
 ir_node *callee_rewrite(callee_rewriting *r, const ir_node *node);
 
 /** Same as callee_rewrite, for a value. Reading the value counts as a load on which the address

@@ -37,8 +37,8 @@ typedef struct bounds_conditions {
 
 /** Computes the bounds of the integer expression `value` at `site`, a node of the function. Terms
  *  and conditions are nodes of the function's text: constants, parameters that it never writes, and
- *  members reached through them. The caller must ensure that these do not change during the call.
- *  Returns false if one bound is unknown. */
+ *  members reached through them. The caller must ensure that these do not change while the function
+ *  runs. Returns false if one bound is unknown. */
 bool value_bounds_of(variable_facts *facts, const ir_function *function, const ir_node *value,
                      const ir_node *site, value_bounds *bounds, bounds_conditions *conditions);
 

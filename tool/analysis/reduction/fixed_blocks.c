@@ -129,7 +129,7 @@ static bool is_integer(const ir_node *node) {
     return node && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-/* Does the header count from one integer to another? */
+/* Does the header only count by a constant step from one integer to another? */
 static bool is_plain_count(const counted_result *found, const ir_node *loop) {
     const counted_loop *counted = &found->loop;
     return found->is_counted && loop->kind == IR_FOR && !counted->stride && !counted->ahead &&
@@ -146,7 +146,9 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     blocks->counter = found.loop.counter;
     blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
     if (!is_plain_count(&found, s->loop))
-        refuse(s, "%s", "the loop's header, which is no counter from one integer to another");
+        refuse(s, "%s",
+               "the loop's header, which does more than count by a constant step from one integer "
+               "to another");
     else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header))
         refuse(s, "%s", "the loop's header, which a macro makes");
     return found.loop;
@@ -183,8 +185,8 @@ static bool is_shared_inline(const ir_function *function, const source *text) {
     return false;
 }
 
-/* Does a group of conditional directives contain the function's beginning but not the loop? In
- * another compilation, the function may then begin differently, with other types. */
+/* Does a group of conditional directives contain the function's beginning but not the loop?
+ * Compiled with other macros, the function may begin differently, with other types. */
 static bool begins_under_condition(const search *s) {
     const ir_unit *unit = s->an->unit;
     int depth = 0;

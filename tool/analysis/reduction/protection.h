@@ -5,8 +5,9 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** The reason for which the loop must keep its directives: they change its results, or protect no
- *  update of an array. REASON_NONE if it may run without them, or has none. All accesses must be
+/** The reason for which the loop must keep its directives: without them its results may differ,
+ *  redcc cannot express them, or they protect no update of an array. REASON_NONE if there is no
+ *  such reason, or if the loop has no directives that redcc replaces. All accesses must be
  *  classified. */
 reason check_protection(const loop_analysis *j);
 

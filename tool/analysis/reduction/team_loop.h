@@ -3,10 +3,11 @@
  *  be distributed in another way. The variables that the loop reduces must be shared by the team.
  *
  *  A schedule given as `static` is a promise: all loops of the region that have this schedule and
- *  the same trip count give each iteration to the same thread (OpenMP 4.5, 2.7.1). Code may rely on
- *  this for data in shared memory. Barriers keep these data correct, and they replace `nowait`
- *  (2.7: "an implementation may omit the barrier"). A thread's private data have no such
- *  protection. */
+ *  the same trip count give each iteration to the same thread (OpenMP 4.5, 2.7.1). Programs may
+ *  therefore omit the barrier between two such loops. redcc distributes the iterations in another
+ *  way. Data in shared memory stay correct, also where the source has `nowait`: no thread begins
+ *  such a loop while others still execute an earlier one, or leaves it before it is complete. A
+ *  thread's private data have no such protection. */
 #ifndef ANALYSIS_TEAM_LOOP_H
 #define ANALYSIS_TEAM_LOOP_H
 

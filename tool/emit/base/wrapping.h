@@ -8,7 +8,7 @@
 
 /** If the node is a signed sum, difference, product, negation or left shift: its text as a primary
  * expression that wraps around on overflow. NULL if it is none of these, is a known constant, or
- * has an operand that cannot be spelled. `rename` and `context` are passed to ir_c_expression. */
+ * has an operand that cannot be spelled. `rename` and `context` are those of text_operand. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
 
 /** Returns the address as a number of type redcc_size, or NULL if it cannot be spelled. `counter`:

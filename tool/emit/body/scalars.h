@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Scalars that the loop accumulates into. */
+/** Writes the code for scalars that the loop accumulates into. */
 #ifndef EMIT_BODY_SCALARS_H
 #define EMIT_BODY_SCALARS_H
 

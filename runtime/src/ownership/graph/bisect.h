@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Graph partitioning: divides the nodes of a graph into parts of equal weight with few edges
+/** Graph partitioning: divides the nodes of a graph into parts of given weights with few edges
  * between the parts. */
 #ifndef REDCC_BISECT_H
 #define REDCC_BISECT_H
@@ -11,7 +11,7 @@ enum { REDCC_PARTS_MOST = 256 };
 /**
  * Divides all nodes into parts 0 to parts - 1 (at most REDCC_PARTS_MOST parts). Each part that is
  * not stealable is followed by `stealable` stealable ones; redcc_amount_below gives the parts'
- * sizes. The method is recursive bisection: a breadth-first search from a pseudo-peripheral node
+ * weights. The method is recursive bisection: a breadth-first search from a pseudo-peripheral node
  * orders the nodes, the order is cut in two, and the result is refined. Sets part[count]. Returns
  * false if out of memory.
  */
