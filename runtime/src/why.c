@@ -109,7 +109,7 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* The number of executions, each of `seconds` seconds, after which auto's budget covers a sample
+/* The number of executions, each of `seconds` seconds, after which auto's credit covers a sample
  * and a plan construction that takes half an execution. */
 static long repaid_after(double seconds) {
     const double look = LEARN_SAMPLE < LEARN_CLEAR * seconds ? LEARN_SAMPLE / seconds : LEARN_CLEAR;

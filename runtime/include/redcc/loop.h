@@ -17,7 +17,7 @@
 
 #include <redcc/entry.h>
 
-/** Forbid that the compiler contracts a multiplication and an addition to a fused multiply-add.
+/** Keep the compiler from contracting a multiplication and an addition to a fused multiply-add.
  * REDCC_UNFUSED precedes a function, because gcc contracts within functions, after inlining.
  * REDCC_UNFUSED_BLOCK begins a block, because clang contracts within expressions; no pragma
  * overrides clang's option -ffp-contract=fast. */

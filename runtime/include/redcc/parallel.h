@@ -72,7 +72,8 @@
  * ENTRIES. Names appear in reports. A row is the memory that one redcc_updates names.
  *     REDCC_ARRAY(name, operator, type, n)   rows of n numbers; operator: REDCC_SUM (also for -),
  *                                            REDCC_PRODUCT, REDCC_MINIMUM, REDCC_MAXIMUM,
- *                                            REDCC_AND, REDCC_OR, REDCC_XOR; type: one word
+ *                                            REDCC_AND, REDCC_OR, REDCC_XOR; type: one
+ *                                            identifier
  *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is reused while
  *                                            all that was read of these is unchanged
  *     REDCC_READ(name)                       does not decide which rows are updated

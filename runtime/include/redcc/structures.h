@@ -165,7 +165,7 @@ enum {
      * recorded as read (redcc_is_over). */
     REDCC_DRY_RUN_OF_READS = 4096,
     /** Replaces REDCC_PREFETCHES: the iterations are so short that prefetching pays only if their
-     * accesses are irregular. */
+     * accesses are irregular. In define_loop.h it implies REDCC_SHORT. */
     REDCC_LIGHT = 8192,
     /** The loop's executor classifies iterations by the rows they touch when redcc_next returns
      * REDCC_SELECT. */
@@ -285,12 +285,12 @@ typedef struct redcc_loop {
     void *state; /**< owned by the runtime; initially 0 */
 } redcc_loop;
 
-/** Bytes [first, end). In redcc_run's parameter `known` (runtime.h), end == 0 means that the range
- * is not known before the inspection. Then `first` is the pointer through which the loop reads, and
- * redcc_read finds the range. A kept plan stores the range relative to that pointer, since the data
- * may have moved by the next execution. first == 0: no single pointer leads to the data, or they
- * lie in several objects. To reuse a plan, all bytes from the lowest to the highest address read
- * are compared. */
+/** Bytes [first, end). In `known` (redcc_enter in runtime.h, redcc_attempt in entry.h), end == 0
+ * means that the range is not known before the inspection. Then `first` is the pointer through
+ * which the loop reads, and redcc_read finds the range. A kept plan stores the range relative to
+ * that pointer, since the data may have moved by the next execution. first == 0: no single pointer
+ * leads to the data, or they lie in several objects. To reuse a plan, all bytes from the lowest to
+ * the highest address read are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;

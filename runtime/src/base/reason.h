@@ -18,7 +18,7 @@
     X(REASON_TEAM, "more-threads", "the region has more threads than requested")                   \
     X(REASON_LITTLE_WORK, "little-work", "too little work")                                        \
     X(REASON_SERIAL_FASTER, "sequential-faster", "the sequential loop was measured to be faster")  \
-    X(REASON_SAVING, "saving", "a trial may cost more than the loop's budget allows so far")       \
+    X(REASON_SAVING, "saving", "a trial may cost more than the loop's credit allows so far")       \
     X(REASON_COMPARED, "compared", "timed to compare with a plan")                                 \
     X(REASON_UNATTRACTIVE, "unattractive", "no plan is expected to be faster")                     \
     X(REASON_DEADLINE, "deadline", "an inspection exceeded its deadline")                          \

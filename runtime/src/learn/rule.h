@@ -15,13 +15,13 @@
     X(RULE_SHORT, "short", "an execution takes less than 16 times the wake-up of the threads",     \
       "the original loop; timed again after a back-off")                                           \
     X(RULE_SAVING, "saving",                                                                       \
-      "a trial may pay, but the budget does not cover it, and no overdraft is "                    \
+      "a trial may pay, but the credit does not cover it, and no overdraft is "                    \
       "allowed",                                                                                   \
-      "the original loop, while the budget accumulates")                                           \
-    X(RULE_SAMPLING, "looking", "the budget allows a sample; the possible gain is unknown",        \
+      "the original loop, while the credit accumulates")                                           \
+    X(RULE_SAMPLING, "looking", "the credit allows a sample; the possible gain is unknown",        \
       "a sample, and its consequences")                                                            \
     X(RULE_SET_UP, "set-up",                                                                       \
-      "a method is expected to repay its plan construction, covered by budget or "                 \
+      "a method is expected to repay its plan construction, covered by credit or "                 \
       "overdraft",                                                                                 \
       "an inspection with a deadline, and a plan")                                                 \
     X(RULE_UNATTRACTIVE, "unattractive", "by a sample no method is expected to be faster",         \
@@ -40,7 +40,7 @@
     X(RULE_SLOWER, "slower", "a plan was slower",                                                  \
       "the original loop; compared again after a back-off")                                        \
     X(RULE_STOPPED, "stopped", "an inspection reached its deadline",                               \
-      "the original loop; another when the budget allows its new estimate")                        \
+      "the original loop; another when the credit allows its new estimate")                        \
     X(RULE_REFUSED, "refused", "a guard or memory forbade it",                                     \
       "the original loop; tried again after a back-off")
 
